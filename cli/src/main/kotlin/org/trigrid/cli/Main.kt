@@ -1,0 +1,4 @@
+package org.trigrid.cli
+
+fun main() {
+}

@@ -1,0 +1,153 @@
+package org.trigrid
+
+import org.trigrid.numbering.NumberingMethod
+import org.trigrid.spacing.SizeFunction
+
+/**
+ * All that can be asked of the mesher. Immutable; made by [builder].
+ */
+public class MeshOptions private constructor(builder: Builder) {
+    /** How element sizes vary away from the boundary. Default [Sizes.SMOOTH]. */
+    @get:JvmName("sizes")
+    public val sizes: Sizes = builder.sizes
+
+    /**
+     * Gradation: largest slope of the element size, size per length, > 0. Default 0.25.
+     * Small values give nearly uniform sizes and many elements; above 0.5 the quality suffers.
+     */
+    @get:JvmName("gradation")
+    public val gradation: Double = builder.gradation
+
+    /** Smallest size asked of an inner edge, in the domain's unit; 0 for none. Boundary segments may be shorter. */
+    @get:JvmName("minSize")
+    public val minSize: Double = builder.minSize
+
+    /** Largest size asked of an inner edge, in the domain's unit; infinity for none. */
+    @get:JvmName("maxSize")
+    public val maxSize: Double = builder.maxSize
+
+    /** The user's sizes, or null; the smaller of it and the boundary's sizes rules. */
+    @get:JvmName("sizeFunction")
+    public val sizeFunction: SizeFunction? = builder.sizeFunction
+
+    /** Default [Strategy.ROBUST]. */
+    @get:JvmName("strategy")
+    public val strategy: Strategy = builder.strategy
+
+    /** Whether the mesh is improved after the front. Default true. */
+    @get:JvmName("improve")
+    public val improve: Boolean = builder.improve
+
+    /** Smoothing stops when no node moves by more than this part of its size (eq. (5), relative). Default 0.01. */
+    @get:JvmName("smoothingTolerance")
+    public val smoothingTolerance: Double = builder.smoothingTolerance
+
+    /** How nodes are renumbered. Default [NumberingMethod.BEST]. */
+    @get:JvmName("numbering")
+    public val numbering: NumberingMethod = builder.numbering
+
+    /** Largest number of elements that may be made. Default 20 million. */
+    @get:JvmName("maxElements")
+    public val maxElements: Int = builder.maxElements
+
+    /** Collects options; the same builder may build several times. */
+    public class Builder internal constructor() {
+        internal var sizes = Sizes.SMOOTH
+        internal var gradation = 0.25
+        internal var minSize = 0.0
+        internal var maxSize = Double.POSITIVE_INFINITY
+        internal var sizeFunction: SizeFunction? = null
+        internal var strategy = Strategy.ROBUST
+        internal var improve = true
+        internal var smoothingTolerance = 0.01
+        internal var numbering = NumberingMethod.BEST
+        internal var maxElements = 20_000_000
+
+        public fun sizes(value: Sizes): Builder = apply { sizes = value }
+
+        /** @throws IllegalArgumentException unless finite and > 0. */
+        public fun gradation(value: Double): Builder = apply {
+            require(value > 0 && value < Double.POSITIVE_INFINITY) { "gradation must be a number above 0, not $value" }
+            gradation = value
+        }
+
+        /** @throws IllegalArgumentException unless finite and >= 0. */
+        public fun minSize(value: Double): Builder = apply {
+            require(value >= 0 && value < Double.POSITIVE_INFINITY) { "minSize must be 0 or a number above, not $value" }
+            minSize = value
+        }
+
+        /** @throws IllegalArgumentException unless > 0; infinity means none. */
+        public fun maxSize(value: Double): Builder = apply {
+            require(value > 0) { "maxSize must be above 0, not $value" }
+            maxSize = value
+        }
+
+        public fun sizeFunction(value: SizeFunction?): Builder = apply { sizeFunction = value }
+
+        public fun strategy(value: Strategy): Builder = apply { strategy = value }
+
+        public fun improve(value: Boolean): Builder = apply { improve = value }
+
+        /** @throws IllegalArgumentException unless finite and > 0. */
+        public fun smoothingTolerance(value: Double): Builder = apply {
+            require(value > 0 && value < Double.POSITIVE_INFINITY) { "smoothingTolerance must be a number above 0, not $value" }
+            smoothingTolerance = value
+        }
+
+        public fun numbering(value: NumberingMethod): Builder = apply { numbering = value }
+
+        /** @throws IllegalArgumentException unless > 0. */
+        public fun maxElements(value: Int): Builder = apply {
+            require(value > 0) { "maxElements must be above 0, not $value" }
+            maxElements = value
+        }
+
+        /** @throws IllegalArgumentException if [minSize] is above [maxSize]. */
+        public fun build(): MeshOptions {
+            require(minSize <= maxSize) { "minSize $minSize is above maxSize $maxSize" }
+            return MeshOptions(this)
+        }
+    }
+
+    /** A builder that starts from these options. */
+    public fun toBuilder(): Builder = Builder().also {
+        it.sizes = sizes
+        it.gradation = gradation
+        it.minSize = minSize
+        it.maxSize = maxSize
+        it.sizeFunction = sizeFunction
+        it.strategy = strategy
+        it.improve = improve
+        it.smoothingTolerance = smoothingTolerance
+        it.numbering = numbering
+        it.maxElements = maxElements
+    }
+
+    public companion object {
+        /** Every option at its default. */
+        @JvmField
+        public val DEFAULT: MeshOptions = Builder().build()
+
+        @JvmStatic
+        public fun builder(): Builder = Builder()
+    }
+}
+
+/** How element sizes vary away from the boundary. */
+public enum class Sizes {
+    /** From the spacing of one boundary to that of the other, smoothly; slope limited by the gradation. */
+    SMOOTH,
+
+    /** Growing from the boundary by the gradation, as far as the domain allows. */
+    GRADE,
+}
+
+/** The rules by which the front makes elements. */
+public enum class Strategy {
+    /** The paper's: smallest angle first, cases A, B and C, eq. (1). */
+    CLASSIC,
+
+    /** Short edges first, placement by the size field, best candidate of several. */
+    ROBUST,
+}

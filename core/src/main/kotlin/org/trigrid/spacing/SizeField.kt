@@ -1,0 +1,21 @@
+package org.trigrid.spacing
+
+/**
+ * Wanted edge length at every place of the domain; what the front and the improvement steer by.
+ *
+ * Not thread safe: an evaluation may move the field's own cursor.
+ */
+internal interface SizeField {
+    /**
+     * Wanted edge length at ([x], [y]), > 0.
+     *
+     * @param hint where the search may start: the value of [lastHint] at a place near by, or -1.
+     */
+    fun sizeAt(x: Double, y: Double, hint: Int): Double
+
+    /** Where the last evaluation ended; a good hint for places near it. */
+    val lastHint: Int
+
+    /** Hint for a place at boundary node [node] of the domain. */
+    fun hintOf(node: Int): Int
+}
