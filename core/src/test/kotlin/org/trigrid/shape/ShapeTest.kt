@@ -15,7 +15,7 @@ class ShapeTest {
     @Test
     fun `the opposite direction gives the same nodes in the opposite order, bit for bit`() {
         val random = Random(3)
-        repeat(300) {
+        repeat(60) {
             for (shape in randomShapes(random)) {
                 val there = shape.explode()
                 val back = shape.reversed().explode()
@@ -28,7 +28,7 @@ class ShapeTest {
     @Test
     fun `ends are exact and no two neighbours coincide`() {
         val random = Random(4)
-        repeat(300) {
+        repeat(60) {
             for (shape in randomShapes(random)) {
                 val xy = shape.explode()
                 assertEquals(shape.firstPoint, Point2(xy[0], xy[1]), shape.toString())
