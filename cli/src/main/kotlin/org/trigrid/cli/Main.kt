@@ -1,3 +1,5 @@
+@file:JvmName("Main")
+
 package org.trigrid.cli
 
 fun main() {

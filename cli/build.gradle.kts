@@ -1,0 +1,18 @@
+plugins {
+    alias(libs.plugins.kotlin.jvm)
+    application
+}
+
+dependencies {
+    implementation(project(":core"))
+    implementation(libs.kotlin.stdlib)
+    implementation(libs.picocli)
+
+    testImplementation(libs.junit.jupiter)
+    testRuntimeOnly(libs.junit.platform.launcher)
+}
+
+application {
+    applicationName = "trigrid"
+    mainClass.set("org.trigrid.cli.Main")
+}
