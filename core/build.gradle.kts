@@ -19,5 +19,6 @@ dependencies {
 
     testImplementation(libs.junit.jupiter)
     testImplementation(libs.archunit)
+    testImplementation(libs.kotlin.metadata)
     testRuntimeOnly(libs.junit.platform.launcher)
 }
