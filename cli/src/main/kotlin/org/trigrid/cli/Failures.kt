@@ -5,6 +5,7 @@ import org.trigrid.diagnostics.FileFormatException
 import org.trigrid.diagnostics.InvalidDomainException
 import org.trigrid.diagnostics.InvalidShapeException
 import org.trigrid.diagnostics.MeshingCancelledException
+import org.trigrid.diagnostics.TriGridException
 import org.trigrid.diagnostics.TooManyElementsException
 import java.io.IOException
 import java.io.PrintStream
@@ -13,6 +14,7 @@ import java.nio.file.FileAlreadyExistsException
 import java.nio.file.FileSystemException
 import java.nio.file.NoSuchFileException
 import java.nio.file.NotDirectoryException
+import java.nio.file.Path
 
 /** Turns failures into lines on [err] and an exit code. */
 internal class Failures(private val err: PrintStream) {
@@ -64,4 +66,13 @@ internal class Failures(private val err: PrintStream) {
 }
 
 /** What went wrong with one of the files of the command line. */
-internal class InputFailure(val file: String, val reason: Exception) : RuntimeException(reason)
+internal class InputFailure(val file: String, val reason: Exception) : RuntimeException(reason) {
+    companion object {
+        /** Does [work] and lets what TriGrid throws in it know which [file] it is about. */
+        fun <T> naming(file: Path, work: () -> T): T = try {
+            work()
+        } catch (error: TriGridException) {
+            throw InputFailure(file.toString(), error)
+        }
+    }
+}
