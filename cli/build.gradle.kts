@@ -6,6 +6,8 @@ plugins {
 dependencies {
     implementation(project(":core"))
     implementation(libs.kotlin.stdlib)
+    implementation(libs.kotlinx.serialization.core)
+    implementation(libs.kotlinx.serialization.json)
     implementation(libs.picocli)
 
     testImplementation(libs.junit.jupiter)

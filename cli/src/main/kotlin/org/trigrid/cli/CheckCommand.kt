@@ -1,6 +1,7 @@
 package org.trigrid.cli
 
 import org.trigrid.domain.DomainCheck
+import org.trigrid.project.DomainInputs
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Mixin
@@ -28,16 +29,18 @@ internal class CheckCommand(private val session: Session) : Callable<Int> {
     lateinit var arguments: ExplodingArguments
 
     override fun call(): Int {
-        arguments.check(spec.commandLine())
+        val options = arguments.toOptions(spec.commandLine())
+        val lines = FaultLines(session.terminal.err, input.toString())
         var isFaulty = false
-        for (domain in DomainInput.read(input, arguments)) {
-            val faults = DomainCheck.check(domain.domain)
+        for (given in InputFailure.naming(input) { DomainInputs.read(input, options) }) {
+            val domain = given.domain
+            val faults = DomainCheck.check(domain)
+            lines.print(faults)
             if (faults.isEmpty()) {
-                session.terminal.out.println("$input: ${domain.describe()}, no faults")
-            } else {
-                isFaulty = true
-                Failures(session.terminal.err).faults(faults, input.toString())
+                lines.printWarnings(DomainCheck.warnings(domain))
+                session.terminal.out.println("$input: ${given.name}: ${domain.nodeCount} nodes, ${domain.loopCount} loops, no faults")
             }
+            isFaulty = isFaulty || faults.isNotEmpty()
         }
         return if (isFaulty) ExitCodes.INVALID_DOMAIN else ExitCodes.DONE
     }

@@ -1,5 +1,6 @@
 package org.trigrid.cli
 
+import org.trigrid.project.InputOptions
 import picocli.CommandLine
 import picocli.CommandLine.Option
 import picocli.CommandLine.ParameterException
@@ -27,16 +28,18 @@ internal class ExplodingArguments {
     )
     var keepConnectors: Boolean = false
 
-    /** Refuses a spacing or a ratio that cannot be. */
-    fun check(commandLine: CommandLine) {
-        checkPositive("--spacing", spacing, commandLine)
-        checkPositive("--ratio", ratio, commandLine)
-        if (ratio != null && spacing == null) throw ParameterException(commandLine, "--ratio needs --spacing")
-    }
-
-    private fun checkPositive(option: String, value: Double?, commandLine: CommandLine) {
-        if (value != null && !(value > 0 && value < Double.POSITIVE_INFINITY)) {
-            throw ParameterException(commandLine, "$option must be a number above 0, not $value")
+    /** What was asked for; a spacing or a ratio that cannot be is a usage error. */
+    fun toOptions(commandLine: CommandLine): InputOptions {
+        val options = InputOptions.DEFAULT.withKeepConnectors(keepConnectors)
+        val wanted = spacing
+        if (wanted == null) {
+            if (ratio != null) throw ParameterException(commandLine, "--ratio needs --spacing")
+            return options
+        }
+        return try {
+            options.withSpacing(wanted, ratio ?: 1.0)
+        } catch (error: IllegalArgumentException) {
+            throw ParameterException(commandLine, "--${error.message}")
         }
     }
 }

@@ -1,6 +1,5 @@
 package org.trigrid.cli
 
-import org.trigrid.diagnostics.Fault
 import org.trigrid.diagnostics.FileFormatException
 import org.trigrid.diagnostics.InvalidDomainException
 import org.trigrid.diagnostics.InvalidShapeException
@@ -22,7 +21,7 @@ internal class Failures(private val err: PrintStream) {
     fun report(error: Exception, subject: String): Int = when (error) {
         is InputFailure -> report(error.reason, error.file)
         is InvalidDomainException -> {
-            faults(error.faults, subject)
+            FaultLines(err, subject).print(error.faults)
             ExitCodes.INVALID_DOMAIN
         }
         is InvalidShapeException, is TooManyElementsException -> line(subject, error.message, ExitCodes.INVALID_DOMAIN)
@@ -38,18 +37,6 @@ internal class Failures(private val err: PrintStream) {
             error.printStackTrace(err)
             ExitCodes.DEFECT
         }
-    }
-
-    /** One line a fault: file, kind, place, nodes, words. */
-    fun faults(faults: List<Fault>, file: String) {
-        for (fault in faults) err.println(line(fault, file))
-    }
-
-    private fun line(fault: Fault, file: String): String = buildString {
-        append(file).append(": ").append(fault.kind).append(" at (").append(fault.x).append(", ").append(fault.y).append(')')
-        val nodes = fault.nodes()
-        if (nodes.isNotEmpty()) append(if (nodes.size == 1) ", node " else ", nodes ").append(nodes.joinToString(" "))
-        append(": ").append(fault.message)
     }
 
     private fun line(subject: String, message: String?, code: Int): Int {

@@ -1,8 +1,11 @@
 package org.trigrid.cli
 
 import org.trigrid.MeshGenerator
+import org.trigrid.MeshOptions
 import org.trigrid.MeshResult
 import org.trigrid.io.MeshFormats
+import org.trigrid.project.DomainInput
+import org.trigrid.project.DomainInputs
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Model.CommandSpec
@@ -12,6 +15,7 @@ import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Spec
 import java.nio.file.Path
 import java.util.concurrent.Callable
+import kotlin.io.path.writeText
 
 /** Meshes a domain and writes the mesh, and a report and a picture where they are asked for. */
 @Command(
@@ -55,9 +59,10 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
     var picture: Path? = null
 
     override fun call(): Int {
+        val inputOptions = exploding.toOptions(spec.commandLine())
         checkArguments()
         val clock = RunClock()
-        val inputs = clock.reading { DomainInput.read(input, exploding) }
+        val inputs = clock.reading { InputFailure.naming(input) { DomainInputs.read(input, inputOptions) } }
         val reports = inputs.mapIndexed { i, domain ->
             val suffix = if (inputs.size == 1) "" else "-${i + 1}"
             mesh(domain, suffix, if (i == 0) clock else RunClock())
@@ -68,8 +73,8 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
 
     /** Finds out before the work starts what would only fail after it. */
     private fun checkArguments() {
+        meshing.over(MeshOptions.DEFAULT, spec.commandLine())
         if (format !in FORMATS) throw ParameterException(spec.commandLine(), "--format must be 2.2 or 4.1, not $format")
-        exploding.check(spec.commandLine())
         ReplacingFile.checkPlace(output)
         picture?.let {
             PictureOutput.checkName(it, spec.commandLine())
@@ -101,7 +106,7 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
         val target = report ?: return
         val text = ReportJson.text(figures)
         if (target == STANDARD_OUTPUT) session.terminal.out.print(text)
-        else ReplacingFile.write(Path.of(target)) { java.nio.file.Files.writeString(it, text) }
+        else ReplacingFile.write(Path.of(target)) { it.writeText(text) }
     }
 
     private fun withSuffix(file: Path, suffix: String): Path {
