@@ -52,6 +52,7 @@ internal class ConstrainedDelaunay private constructor(
             val order = IntArray(missing.size) { missing[it] }
             order.shuffle(kotlin.random.Random(order.size))
             for (s in order) recovery.recover(domain.segmentStart(s), domain.segmentEnd(s), domain.isEmbedded(s))
+            recovery.relaxAll()
         }
 
         private fun insideTriangles(builder: DelaunayBuilder): BooleanArray {

@@ -221,8 +221,8 @@ internal class DelaunayBuilder(val xy: DoubleArray) {
             val e = stack[--stackSize]
             if (mark[e] == 0.toByte() && mustFlip(e)) {
                 val f = twin[e]
-                startOf[origin[e]] = e
-                startOf[origin[f]] = f
+                if (origin[e] != GHOST) startOf[origin[e]] = e
+                if (origin[f] != GHOST) startOf[origin[f]] = f
                 flip(e)
                 push(e)
                 push(previous(e))

@@ -72,6 +72,12 @@ internal class SegmentRecovery(private val mesh: DelaunayBuilder) {
         relax()
     }
 
+    /** Flips whatever doubtful decisions on the way have left; few or none. */
+    fun relaxAll() {
+        for (e in 0 until 3 * mesh.triangleCount) if (e < twin[e] && mark[e] == NO_MARK) mesh.push(e)
+        mesh.legaliseAll(startOf)
+    }
+
     private fun relax() {
         for (i in 0 until triangles.size) {
             val e = 3 * triangles[i]

@@ -169,7 +169,7 @@ class ConstrainedDelaunayTest {
             // Doubles may be able to prove it in one order of the nodes and not in the other.
             val seenFromLeft = inCircle(xy, a, b, c, d)
             val seenFromRight = inCircle(xy, b, a, d, c)
-            assertTrue(mesh.isSegment(e) || Math.min(seenFromLeft, seenFromRight) <= 0)
+            assertTrue(mesh.isSegment(e) || Math.min(seenFromLeft, seenFromRight) <= 0) { "edge $a-$b of $c, $d: $seenFromLeft $seenFromRight of ${xy.size}" }
         }
         for (node in mesh.edgeOfNode.indices) assertEquals(node, mesh.nodes[mesh.edgeOfNode[node]])
     }
