@@ -73,6 +73,17 @@ public class Domain internal constructor(
     /** x0, y0, x1, y1, …; a copy. */
     public fun nodeCoordinates(): DoubleArray = xy.copyOf()
 
+    /**
+     * The same outline with new nodes: each segment is a straight line whose length l is split into
+     * n = max(1, round(l / [spacing])) intervals, their lengths in arithmetic progression along the segment. The nodes of this
+     * domain keep their places and numbers.
+     *
+     * @param spacing wanted length of segments, in the unit of the coordinates.
+     * @param ratio of a segment's last interval to its first; 1 for equal ones.
+     * @throws org.trigrid.diagnostics.InvalidShapeException unless both are finite and above 0 and the nodes can be numbered.
+     */
+    public fun respaced(spacing: Double, ratio: Double): Domain = Respacing(this, spacing, ratio).respaced()
+
     public companion object {
         /** Collects loops, holes and embedded lines. */
         @JvmStatic

@@ -1,5 +1,6 @@
 package org.trigrid.domain
 
+import org.locationtech.jts.geom.Envelope
 import org.trigrid.diagnostics.FaultKind
 
 /**
@@ -22,7 +23,11 @@ internal class WindingFaults(
     /** Per part's representative: whether it has faults that make its winding numbers meaningless. */
     private val skipped = BooleanArray(checked.domain.nodeCount)
 
+    /** The box round all parts with open walks, in which nobody can say what is outside. */
+    private val openBox = Envelope()
+
     init {
+        for (node in skipped.indices) if (parts.isOpen(node) && checked.isFinite(node)) openBox.expandToInclude(xy[2 * node], xy[2 * node + 1])
         for (t in 0 until checked.boundaryCount) if (isFaulty[t]) skipped[parts.partOf(checked.start(t))] = true
         for (node in skipped.indices) if (parts.isOpen(node)) skipped[parts.partOf(node)] = true
     }
@@ -33,8 +38,10 @@ internal class WindingFaults(
         for (part in corners.indices) if (corners[part] >= 0 && !skipped[part]) examinePart(corners[part])
     }
 
-    /** Whether a place that no segment touches lies in the domain. */
-    fun isInside(place: Int): Boolean = windingLeftOf(place) == 1
+    /** Whether a place that no segment touches lies in the domain, as far as that can be said. */
+    fun isInside(place: Int): Boolean = isNearOpenWalk(place) || windingLeftOf(place) == 1
+
+    private fun isNearOpenWalk(place: Int) = openBox.covers(xy[2 * place], xy[2 * place + 1])
 
     /** Whether the neighbourhood of [place] is free of faults, so that sides can be told there. */
     fun isTrusted(place: Int): Boolean = !skipped[parts.partOf(place)]
@@ -108,6 +115,7 @@ internal class WindingFaults(
         val winding = windingLeftOf(corner)
         val isHole = !isOut(corner, first)
         if (isHole && winding < 1) {
+            if (isNearOpenWalk(corner)) return
             fault(FaultKind.HOLE_OUTSIDE, corner, "the hole at node ${checked.nodeText(corner)} has no material round it")
         } else if (isHole && winding > 1 || !isHole && winding > 0) {
             fault(FaultKind.OVERLAP, corner, "the loop at node ${checked.nodeText(corner)} lies where another covers the place already")
