@@ -109,8 +109,9 @@ internal class GeoJsonReader private constructor(private val text: String, priva
 
     private fun number(element: JsonElement, ring: At, position: Int, axis: Int): Double {
         val content = (element as? JsonPrimitive)?.takeIf { !it.isString }?.content
-        if (content == null || !RingPoints.isDecimal(content)) fail(ring[position][axis], "a coordinate must be a number")
-        return content.toDouble()
+        val value = RingPoints.decimal(content.orEmpty())
+        if (value.isNaN()) fail(ring[position][axis], "a coordinate must be a number")
+        return value
     }
 
     private fun arrayOf(tree: JsonObject, member: String, at: At): JsonArray {
