@@ -7,9 +7,16 @@ import org.trigrid.geometry.InsertionOrder
  * is nowhere above its sources.
  *
  * A kd-tree whose nodes keep their box and the smallest h in it; a branch is left when even `h + g * distance of the box`
- * cannot win. All arrays are flat and an evaluation allocates nothing. Any h may be used, negative ones too.
+ * cannot win. All arrays are flat and an evaluation allocates nothing. With no tolerance any h may be used, negative
+ * ones too.
+ *
+ * @param xy x0, y0, x1, y1, … of the sources; not kept.
+ * @param sizes h of each source; infinity for one that never wins; not kept.
+ * @param tolerance how far, as a share of it, the answer may lie above the envelope. Near the middle of a round domain all
+ *   sources are all but equally near, and an exact answer would look at most of them.
  */
-internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: Double) {
+internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: Double, tolerance: Double = 0.0) {
+    private val goodEnough = 1 - tolerance
     private val count = sizes.size
     private val order = InsertionOrder.alongCurve(xy)
     private val place = IntArray(count)
@@ -220,7 +227,7 @@ internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: 
     }
 
     private fun mayWin(node: Int, x: Double, y: Double, best: Double): Boolean {
-        val room = best - box[5 * node + 4]
+        val room = best * goodEnough - box[5 * node + 4]
         return room > 0 && slope * slope * squaredDistance(node, x, y) < room * room
     }
 

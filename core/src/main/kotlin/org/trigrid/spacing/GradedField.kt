@@ -1,7 +1,12 @@
 package org.trigrid.spacing
 
-/** Sizes that grow from the boundary's own spacing by the gradation: `min over nodes i of (h_i + g |x - x_i|)`. */
-internal class GradedField(private val cones: ConeTree) : SizeField {
+/**
+ * Sizes that grow from the boundary's own spacing by the gradation: `min over nodes i of (h_i + g |x - x_i|)`, to within
+ * [TOLERANCE] above.
+ */
+internal class GradedField(xy: DoubleArray, sizes: DoubleArray, gradation: Double) : SizeField {
+    private val cones = ConeTree(xy, sizes, gradation, TOLERANCE)
+
     override var lastHint: Int = 0
         private set
 
@@ -11,5 +16,10 @@ internal class GradedField(private val cones: ConeTree) : SizeField {
         val size = cones.min(x, y, hint, Double.POSITIVE_INFINITY)
         lastHint = cones.winner
         return size
+    }
+
+    internal companion object {
+        /** Share by which an answer may lie above the exact one. */
+        const val TOLERANCE = 0.005
     }
 }

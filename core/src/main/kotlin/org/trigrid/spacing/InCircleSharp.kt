@@ -4,7 +4,7 @@ package org.trigrid.spacing
  * The in-circle test in double-double arithmetic, for the few cases that plain doubles leave open.
  *
  * Each value is an unevaluated sum of two doubles, 106 bits (Dekker 1971, Numer. Math. 18:224-242; products by fused
- * multiply-add); nothing is allocated. Says "inside" only where the error bound proves it.
+ * multiply-add). Says "inside" only where the error bound proves it.
  */
 internal object InCircleSharp {
     /** Error of the whole determinant in double-double, as a share of the sum of its terms' absolute values, with room. */
