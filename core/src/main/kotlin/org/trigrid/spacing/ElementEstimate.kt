@@ -60,7 +60,7 @@ internal class ElementEstimate(private val mesh: ConstrainedDelaunay, private va
         val ca = squared(ax - cx, ay - cy)
         val longest = Math.max(ab, Math.max(bc, ca))
         val isCoarse = longest > longestAllowed * longestAllowed
-        if (piecesLeft <= 0 || (area < least * least && !isCoarse)) return PER_AREA * area * meanDensity(ha, hb, hc)
+        if (piecesLeft <= 0 || (area < SMALL * least * least && !isCoarse)) return PER_AREA * area * meanDensity(ha, hb, hc)
         piecesLeft--
         val hab = sizeAt(0.5 * (ax + bx), 0.5 * (ay + by))
         val hbc = sizeAt(0.5 * (bx + cx), 0.5 * (by + cy))
@@ -115,7 +115,10 @@ internal class ElementEstimate(private val mesh: ConstrainedDelaunay, private va
     private companion object {
         /** 4 / sqrt(3) */
         const val PER_AREA = 2.309401076758503
-        const val EVEN = 1.3
-        const val MAX_PIECES = 4_000_000
+
+        /** In squared sizes: a piece of about one element is not worth dividing. */
+        const val SMALL = 0.5
+        const val EVEN = 1.4
+        const val MAX_PIECES = 1_000_000
     }
 }

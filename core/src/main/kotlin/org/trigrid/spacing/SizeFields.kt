@@ -21,7 +21,7 @@ internal object SizeFields {
         }
         val ofBoundary = when (options.sizes) {
             Sizes.SMOOTH -> LinearField(mesh, limited, cones, gradation)
-            Sizes.GRADE -> GradedField(domain.xy, sizes, gradation)
+            Sizes.GRADE -> GradedField(cones)
         }
         return bounded(ofBoundary, domain, limited, options)
     }
