@@ -5,7 +5,7 @@ package org.trigrid.domain
  *
  * Nodes are numbered from 0 and each stands for one place; a node may have several segments
  * leaving it where loops touch. Segments come loop by loop; segment `s` runs from [segmentStart] to [segmentEnd].
- * An *embedded* segment has the domain on both of its sides and occurs once, in either direction.
+ * An *embedded* segment has the domain on both of its sides and occurs once, in either direction, after all others.
  *
  * Immutable. A domain may still be faulty: [DomainCheck] finds all faults, meshing refuses a faulty one.
  */
@@ -17,30 +17,95 @@ public class Domain internal constructor(
     internal val segmentTags: IntArray,
     /** Per segment: whether the domain lies on both sides. */
     internal val embedded: BooleanArray,
-    /** Names of boundary groups; each segment has one of them. */
-    @get:JvmName("tags") public val tags: List<String>,
+    tags: List<String>,
     /** Name of the meshed region; a physical group of the mesh file. */
     @get:JvmName("regionName") public val regionName: String,
 ) {
+    /** Names of boundary groups; each segment has one of them. */
+    @get:JvmName("tags")
+    public val tags: List<String> = java.util.List.copyOf(tags)
+
+    /** How many segments bound the domain; the embedded ones come after them. */
+    internal val boundaryCount: Int = embedded.count { !it }
+
+    /** First segment of each loop, and [boundaryCount] at the end. */
+    private val loopStarts: IntArray = DomainLoops(segments, boundaryCount).starts
+
+    /** Boundary nodes and nodes of embedded segments. */
     @get:JvmName("nodeCount")
     public val nodeCount: Int get() = xy.size / 2
 
+    /** Boundary segments and embedded ones. */
     @get:JvmName("segmentCount")
     public val segmentCount: Int get() = segments.size / 2
 
+    /** Closed loops of the boundary; an open chain of a faulty domain counts as one. */
+    @get:JvmName("loopCount")
+    public val loopCount: Int get() = loopStarts.size - 1
+
+    /** In the unit of the coordinates, bit for bit as given. */
     public fun x(node: Int): Double = xy[2 * node]
 
+    /** In the unit of the coordinates, bit for bit as given. */
     public fun y(node: Int): Double = xy[2 * node + 1]
 
+    /** The node from which the segment runs. */
     public fun segmentStart(segment: Int): Int = segments[2 * segment]
 
+    /** The node to which the segment runs. */
     public fun segmentEnd(segment: Int): Int = segments[2 * segment + 1]
 
     /** Index into [tags] of the segment's group. */
     public fun segmentTag(segment: Int): Int = segmentTags[segment]
 
+    /** Whether the domain lies on both sides of the segment. */
     public fun isEmbedded(segment: Int): Boolean = embedded[segment]
+
+    /** The loop's first segment; its others follow, up to the next loop's first. `loopStart(loopCount)` ends the last loop. */
+    public fun loopStart(loop: Int): Int = loopStarts[loop]
+
+    /** The loop's nodes in its direction, the domain on the left; the first is not repeated. */
+    public fun loopNodes(loop: Int): IntArray =
+        IntArray(loopStarts[loop + 1] - loopStarts[loop]) { segments[2 * (loopStarts[loop] + it)] }
+
+    /** Whether the loop runs clockwise, that is, bounds a hole. */
+    public fun isHole(loop: Int): Boolean = SignedArea.sign(xy, segments, loopStarts[loop], loopStarts[loop + 1]) < 0
+
+    /** The area that is to be meshed, in the unit of the coordinates squared. */
+    @get:JvmName("area")
+    public val area: Double
+        get() = (0 until loopCount).sumOf { SignedArea.twice(xy, segments, loopStarts[it], loopStarts[it + 1]) } / 2
 
     /** x0, y0, x1, y1, …; a copy. */
     public fun nodeCoordinates(): DoubleArray = xy.copyOf()
+
+    /**
+     * The same outline with new nodes: each segment is a straight line whose length l is split into
+     * n = max(1, round(l / [spacing])) intervals, their lengths in arithmetic progression along the segment. The nodes of this
+     * domain keep their places and numbers.
+     *
+     * @param spacing wanted length of segments, in the unit of the coordinates.
+     * @param ratio of a segment's last interval to its first; 1 for equal ones.
+     * @throws org.trigrid.diagnostics.InvalidShapeException unless both are finite and above 0 and the nodes can be numbered.
+     */
+    public fun respaced(spacing: Double, ratio: Double): Domain = Respacing(this, spacing, ratio).respaced()
+
+    public companion object {
+        /** Collects loops, holes and embedded lines. */
+        @JvmStatic
+        public fun builder(): DomainBuilder = DomainBuilder()
+
+        /**
+         * The domain of closed loops in any order and direction: which are holes is found out, all get the tag "boundary".
+         *
+         * @param loops each x0, y0, x1, y1, …, the first point not repeated; not modified.
+         * @throws IllegalArgumentException if a loop has an odd number of values or none.
+         */
+        @JvmStatic
+        public fun of(vararg loops: DoubleArray): Domain {
+            val builder = DomainBuilder()
+            for (loop in loops) builder.loop(loop)
+            return builder.build()
+        }
+    }
 }

@@ -7,6 +7,8 @@ internal class EdgeSet(
 ) {
     private val keys: LongArray = LongArray(pairs.size / 2) { key(pairs[2 * it], pairs[2 * it + 1]) }.also { it.sort() }
 
+    val size: Int get() = keys.size
+
     val isEmpty: Boolean get() = keys.isEmpty()
 
     fun contains(a: Int, b: Int): Boolean = keys.binarySearch(key(a, b)) >= 0

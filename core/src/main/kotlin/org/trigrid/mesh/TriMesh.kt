@@ -38,6 +38,10 @@ public class TriMesh internal constructor(
     @get:JvmName("taggedEdgeCount")
     public val taggedEdgeCount: Int get() = edges.size / 2
 
+    /** Nodes of kind [NodeKind.BOUNDARY]. */
+    @get:JvmName("boundaryNodeCount")
+    public val boundaryNodeCount: Int get() = kinds.count { it == NodeKind.BOUNDARY.code }
+
     public fun x(node: Int): Double = xy[2 * node]
 
     public fun y(node: Int): Double = xy[2 * node + 1]
@@ -66,6 +70,51 @@ public class TriMesh internal constructor(
     /** Three elements an element, [NONE] on the boundary; a copy. */
     public fun elementNeighbours(): IntArray = neighbours.copyOf()
 
+    /** Edges of the mesh, inner ones and those on the boundary. */
+    @get:JvmName("edgeCount")
+    public val edgeCount: Int get() {
+        var boundary = 0
+        for (n in neighbours) if (n < 0) boundary++
+        return (elements.size + boundary) / 2
+    }
+
+    /** Every edge once, 2 nodes each, the lower number first; size 2 * [edgeCount]. A new array. */
+    public fun edgeNodes(): IntArray = MeshTopology.edges(elements, neighbours)
+
+    /** Largest difference of the numbers of two nodes of an element: the coefficient matrix' half-bandwidth B. */
+    @get:JvmName("halfBandwidth")
+    public val halfBandwidth: Int get() {
+        var widest = 0
+        for (at in elements.indices step 3) {
+            val a = elements[at]
+            val b = elements[at + 1]
+            val c = elements[at + 2]
+            widest = maxOf(widest, maxOf(a, maxOf(b, c)) - minOf(a, minOf(b, c)))
+        }
+        return widest
+    }
+
+    /** Bandwidth of the coefficient matrix, 2 B + 1 by the paper's eqs. (6) to (10). */
+    @get:JvmName("bandwidth")
+    public val bandwidth: Int get() = 2 * halfBandwidth + 1
+
+    /** Area of an element, in the square of the domain's unit. */
+    public fun area(element: Int): Double {
+        val a = 2 * elements[3 * element]
+        val b = 2 * elements[3 * element + 1]
+        val c = 2 * elements[3 * element + 2]
+        return 0.5 * ((xy[b] - xy[a]) * (xy[c + 1] - xy[a + 1]) - (xy[b + 1] - xy[a + 1]) * (xy[c] - xy[a]))
+    }
+
+    /**
+     * The same mesh with other node numbers. Elements come in the order of their lowest new node, so that nodes and
+     * elements that are near each other in memory are near each other in the domain.
+     *
+     * @param newNumbers size nodeCount, the new number of each node; not modified.
+     * @throws IllegalArgumentException if that is no permutation of the node numbers.
+     */
+    public fun renumbered(newNumbers: IntArray): TriMesh = MeshRenumbering.apply(this, newNumbers)
+
     /** Nodes on the edges of group [tag], ascending; for boundary conditions. Empty for an unknown name. */
     public fun nodesOn(tag: String): IntArray {
         val index = tags.indexOf(tag)
@@ -82,6 +131,17 @@ public class TriMesh internal constructor(
     public companion object {
         /** No element, no node. */
         public const val NONE: Int = -1
+
+        /**
+         * A mesh of plain arrays. Every boundary edge gets the tag `boundary`; clockwise elements are turned.
+         *
+         * @param xy x0, y0, x1, y1, …; not modified.
+         * @param elements three nodes an element, numbered from 0; not modified.
+         * @throws IllegalArgumentException if an array has a wrong size or a node number is out of range.
+         */
+        @JvmStatic
+        public fun of(xy: DoubleArray, elements: IntArray): TriMesh =
+            TriMeshFactory.of(xy.copyOf(), elements.copyOf(), IntArray(0), IntArray(0), emptyList(), "domain")
     }
 }
 

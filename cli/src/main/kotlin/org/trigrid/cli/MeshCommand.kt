@@ -1,0 +1,124 @@
+package org.trigrid.cli
+
+import org.trigrid.MeshGenerator
+import org.trigrid.MeshOptions
+import org.trigrid.MeshResult
+import org.trigrid.io.MeshFormats
+import org.trigrid.project.DomainInput
+import org.trigrid.project.DomainInputs
+import picocli.CommandLine.Command
+import picocli.CommandLine.Mixin
+import picocli.CommandLine.Model.CommandSpec
+import picocli.CommandLine.Option
+import picocli.CommandLine.Parameters
+import picocli.CommandLine.ParameterException
+import picocli.CommandLine.Spec
+import java.nio.file.Path
+import java.util.concurrent.Callable
+import kotlin.io.path.writeText
+
+/** Meshes a domain and writes the mesh, and a report and a picture where they are asked for. */
+@Command(
+    name = "mesh",
+    description = ["Mesh a domain and write the mesh as a Gmsh .msh file."],
+    mixinStandardHelpOptions = true,
+    sortOptions = false,
+    footer = [
+        "",
+        "Examples:",
+        "  trigrid mesh plate.trigrid.json -o plate.msh --picture plate.svg",
+        "  trigrid mesh coast.geojson -o coast.msh --format 4.1 --sizes grade --report -",
+        "  trigrid mesh plate.wkt -o plate.msh --spacing 0.05 --max-size 0.2",
+        "",
+        "A file with several polygons makes as many meshes: OUT-1.msh, OUT-2.msh, ...",
+    ],
+)
+internal class MeshCommand(private val session: Session) : Callable<Int> {
+    @Spec
+    lateinit var spec: CommandSpec
+
+    @Parameters(paramLabel = "IN", description = ["A project (.trigrid.json), GeoJSON, WKT or Triangle .poly file."])
+    lateinit var input: Path
+
+    @Option(names = ["-o", "--output"], paramLabel = "OUT.msh", required = true, description = ["The mesh file to write."])
+    lateinit var output: Path
+
+    @Option(names = ["--format"], paramLabel = "2.2|4.1", description = ["Version of the .msh format, ASCII. Default: 2.2."])
+    var format: String = DEFAULT_FORMAT
+
+    @Mixin
+    lateinit var exploding: ExplodingArguments
+
+    @Mixin
+    lateinit var meshing: MeshingArguments
+
+    @Option(names = ["--report"], paramLabel = "FILE", description = ["Write figures as JSON; - for standard output."])
+    var report: String? = null
+
+    @Option(names = ["--picture"], paramLabel = "FILE", description = ["Draw the mesh; .svg or .png."])
+    var picture: Path? = null
+
+    override fun call(): Int {
+        val inputOptions = exploding.toOptions(spec.commandLine())
+        checkArguments()
+        val clock = RunClock()
+        val inputs = clock.reading { InputFailure.naming(input) { DomainInputs.read(input, inputOptions) } }
+        val reports = inputs.mapIndexed { i, domain ->
+            val suffix = if (inputs.size == 1) "" else "-${i + 1}"
+            mesh(domain, suffix, if (i == 0) clock else RunClock())
+        }
+        writeReport(reports)
+        return ExitCodes.DONE
+    }
+
+    /** Finds out before the work starts what would only fail after it. */
+    private fun checkArguments() {
+        meshing.over(MeshOptions.DEFAULT, spec.commandLine())
+        if (format !in FORMATS) throw ParameterException(spec.commandLine(), "--format must be 2.2 or 4.1, not $format")
+        ReplacingFile.checkPlace(output)
+        picture?.let {
+            PictureOutput.checkName(it, spec.commandLine())
+            ReplacingFile.checkPlace(it)
+        }
+        report?.let { if (it != STANDARD_OUTPUT) ReplacingFile.checkPlace(Path.of(it)) }
+    }
+
+    private fun mesh(domain: DomainInput, suffix: String, clock: RunClock): MeshFigures {
+        val result = generate(domain)
+        val file = withSuffix(output, suffix)
+        clock.writing {
+            ReplacingFile.write(file) { MeshFormats.write(result.mesh, it, format) }
+            picture?.let { PictureOutput.writeMesh(result.mesh, withSuffix(it, suffix)) }
+        }
+        val figures = MeshFigures(domain.name, result.report, clock)
+        if (report != STANDARD_OUTPUT) session.terminal.out.println("$file: ${figures.summary()}")
+        return figures
+    }
+
+    private fun generate(domain: DomainInput): MeshResult {
+        val options = meshing.over(domain.options, spec.commandLine())
+        return ProgressBar(session.terminal, session.cancellation).use { bar ->
+            InputFailure.naming(input) { MeshGenerator.generate(domain.domain, options, bar) }
+        }
+    }
+
+    private fun writeReport(figures: List<MeshFigures>) {
+        val target = report ?: return
+        val text = ReportJson.text(figures)
+        if (target == STANDARD_OUTPUT) session.terminal.out.print(text)
+        else ReplacingFile.write(Path.of(target)) { it.writeText(text) }
+    }
+
+    private fun withSuffix(file: Path, suffix: String): Path {
+        if (suffix.isEmpty()) return file
+        val name = file.fileName.toString()
+        val dot = name.lastIndexOf('.').let { if (it <= 0) name.length else it }
+        return file.resolveSibling(name.substring(0, dot) + suffix + name.substring(dot))
+    }
+
+    private companion object {
+        const val STANDARD_OUTPUT = "-"
+        const val DEFAULT_FORMAT = "2.2"
+        val FORMATS = setOf("2.2", "4.1")
+    }
+}

@@ -1,0 +1,17 @@
+package org.trigrid.cli
+
+import picocli.CommandLine
+import java.nio.file.Path
+
+internal object PictureOutput {
+    fun checkName(file: Path, commandLine: CommandLine) {
+        val name = file.fileName.toString().lowercase()
+        if (!name.endsWith(".svg") && !name.endsWith(".png")) {
+            throw CommandLine.ParameterException(commandLine, "a picture is .svg or .png, not $file")
+        }
+    }
+
+    fun writeMesh(mesh: org.trigrid.mesh.TriMesh, file: Path) {
+        ReplacingFile.write(file) { java.nio.file.Files.writeString(it, "$mesh") }
+    }
+}

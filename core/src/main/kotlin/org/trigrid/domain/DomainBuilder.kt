@@ -1,0 +1,133 @@
+package org.trigrid.domain
+
+/**
+ * Collects loops and embedded lines and makes a [Domain] of them.
+ *
+ * Loops come in any order and either direction; each is turned so that the domain lies on its left. Islands in holes
+ * and several separate outer loops are allowed. Points at the same place, in one loop or in several, become one node;
+ * no other repair is made, and [DomainCheck] tells what is wrong with the result. A loop that passes through a node
+ * twice is split there.
+ *
+ * Coordinates: x0, y0, x1, y1, …; a loop's first point is not repeated at its end. Arrays are not modified, nor kept.
+ */
+public class DomainBuilder internal constructor() {
+    private val places = PlaceIndex(64)
+    private val tags = LinkedHashMap<String, Int>()
+    private val loops = ArrayList<LoopDraft>()
+    private val embeddedLines = ArrayList<LoopDraft>()
+    private var regionName = "domain"
+
+    /** Adds an outer boundary with the tag "boundary". */
+    public fun outer(xy: DoubleArray): DomainBuilder = outer(xy, DEFAULT_TAG)
+
+    /**
+     * Adds an outer boundary, whatever its direction.
+     *
+     * @throws IllegalArgumentException if [xy] has an odd number of values or none.
+     */
+    public fun outer(xy: DoubleArray, tag: String): DomainBuilder = add(xy, sameTags(xy, tag), LoopRole.OUTER)
+
+    /** As [outer] with a tag for each segment, that of segment i from point i to the next. */
+    public fun outer(xy: DoubleArray, segmentTags: List<String>): DomainBuilder = add(xy, segmentTags, LoopRole.OUTER)
+
+    /** Adds a hole with the tag "boundary". */
+    public fun hole(xy: DoubleArray): DomainBuilder = hole(xy, DEFAULT_TAG)
+
+    /**
+     * Adds a hole, whatever its direction.
+     *
+     * @throws IllegalArgumentException if [xy] has an odd number of values or none.
+     */
+    public fun hole(xy: DoubleArray, tag: String): DomainBuilder = add(xy, sameTags(xy, tag), LoopRole.HOLE)
+
+    /** As [hole] with a tag for each segment, that of segment i from point i to the next. */
+    public fun hole(xy: DoubleArray, segmentTags: List<String>): DomainBuilder = add(xy, segmentTags, LoopRole.HOLE)
+
+    /** Adds a loop whose role is found out, with the tag "boundary". */
+    public fun loop(xy: DoubleArray): DomainBuilder = loop(xy, DEFAULT_TAG)
+
+    /**
+     * Adds a loop whose role is found out: inside an outer loop it is a hole, inside a hole or nothing an outer loop.
+     *
+     * @throws IllegalArgumentException if [xy] has an odd number of values or none.
+     */
+    public fun loop(xy: DoubleArray, tag: String): DomainBuilder = add(xy, sameTags(xy, tag), null)
+
+    /** As [loop] with a tag for each segment, that of segment i from point i to the next. */
+    public fun loop(xy: DoubleArray, segmentTags: List<String>): DomainBuilder = add(xy, segmentTags, null)
+
+    /**
+     * Adds an open line inside the domain whose points become nodes and whose segments become edges of the mesh.
+     * It may begin, end or bend on boundary nodes.
+     *
+     * @throws IllegalArgumentException if [xy] has an odd number of values, or fewer than two points.
+     */
+    public fun embed(xy: DoubleArray, tag: String): DomainBuilder = apply {
+        requirePairs(xy)
+        require(xy.size >= 4) { "an embedded line needs two points or more" }
+        embeddedLines.add(LoopDraft(nodes(xy), IntArray(xy.size / 2 - 1) { tagNumber(tag) }, null))
+    }
+
+    /** Names the meshed region. Default "domain". */
+    public fun regionName(value: String): DomainBuilder = apply { regionName = value }
+
+    /** The domain; [assemble] also tells which loops were turned. The builder may go on and build again. */
+    public fun build(): Domain = assemble().domain
+
+    /** The domain, and what became of each loop added. */
+    public fun assemble(): DomainAssembly {
+        val xy = places.toArray()
+        val nesting = LoopNesting(xy, loops.map { it.nodes })
+        val roles = resolveRoles(nesting)
+        val reversed = BooleanArray(loops.size) {
+            nesting.areaSign(it) == if (roles[it] == LoopRole.OUTER) -1 else 1
+        }
+        val directed = loops.mapIndexed { i, loop -> if (reversed[i]) loop.reversed() else loop }
+        val steps = WalkSteps(xy.size / 2, directed.map { it.nodes }, directed.map { it.segmentTags })
+        val assembly = SegmentAssembly(xy, steps.segments, steps.tags, steps.next, BooleanArray(steps.count))
+        for (line in embeddedLines) {
+            for (i in line.segmentTags.indices) assembly.embed(line.nodes[i], line.nodes[i + 1], line.segmentTags[i])
+        }
+        return DomainAssembly(assembly.toDomain(tags.keys.toList(), regionName), roles, reversed, nesting.parents())
+    }
+
+    /** Parents are larger than what they contain, so that their roles are known first. */
+    private fun resolveRoles(nesting: LoopNesting): List<LoopRole> {
+        val roles = arrayOfNulls<LoopRole>(loops.size)
+        for (i in nesting.fromLargest()) {
+            val parent = nesting.parentOf(i)
+            val found = if (parent >= 0 && roles[parent] == LoopRole.OUTER) LoopRole.HOLE else LoopRole.OUTER
+            roles[i] = loops[i].role ?: found
+        }
+        return roles.map { it!! }
+    }
+
+    private fun add(xy: DoubleArray, segmentTags: List<String>, role: LoopRole?): DomainBuilder = apply {
+        requirePairs(xy)
+        require(xy.isNotEmpty()) { "a loop needs points" }
+        require(segmentTags.size == xy.size / 2) { "${xy.size / 2} segments have ${segmentTags.size} tags" }
+        loops.add(LoopDraft(nodes(xy), IntArray(segmentTags.size) { tagNumber(segmentTags[it]) }, role))
+    }
+
+    private fun requirePairs(xy: DoubleArray) =
+        require(xy.size % 2 == 0) { "coordinates come in pairs, but there are ${xy.size} values" }
+
+    private fun nodes(xy: DoubleArray) = IntArray(xy.size / 2) { places.numberOf(xy[2 * it], xy[2 * it + 1]) }
+
+    private fun tagNumber(tag: String): Int = tags.getOrPut(tag) { tags.size }
+
+    private fun sameTags(xy: DoubleArray, tag: String): List<String> = java.util.Collections.nCopies(xy.size / 2, tag)
+
+    private companion object {
+        const val DEFAULT_TAG = "boundary"
+    }
+}
+
+/** A loop, or an open line, as it was added. */
+private class LoopDraft(val nodes: IntArray, val segmentTags: IntArray, val role: LoopRole?) {
+    /** The same loop the other way round, from the same node; each segment keeps its tag. */
+    fun reversed(): LoopDraft {
+        val n = nodes.size
+        return LoopDraft(IntArray(n) { nodes[(n - it) % n] }, segmentTags.reversedArray(), role)
+    }
+}

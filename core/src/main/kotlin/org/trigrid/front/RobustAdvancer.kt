@@ -1,0 +1,201 @@
+package org.trigrid.front
+
+import org.trigrid.quality.TriangleQuality
+
+/**
+ * Advances the front by the size field. For each base edge, the candidates are its two neighbours, the front nodes
+ * near the ideal place, and a new node there; the best-shaped one that is clear of the front makes the element.
+ *
+ * Source: Lo (1985), IJNME 21:1403-1426; Peraire et al. (1987), J. Comput. Phys. 72:449-466. Departures: placement by
+ * an explicit size field, candidates ranked by shape with a preference for nodes that exist, escalation per edge.
+ */
+internal class RobustAdvancer private constructor(state: FrontState, private val keys: FrontKeys, ticker: FrontTicker) :
+    FrontAdvancer(state, keys.keyCount, ticker) {
+    constructor(state: FrontState, ticker: FrontTicker) : this(state, FrontKeys(state.mesh, state.front), ticker)
+
+    private val candidates = CandidateList()
+    private var ax = 0.0
+    private var ay = 0.0
+    private var bx = 0.0
+    private var by = 0.0
+    private var px = 0.0
+    private var py = 0.0
+    private var size = 0.0
+    private var reach = 0.0
+
+    override fun keyOf(edge: Int): Int = keys.keyOf(edge)
+
+    override fun tryEdge(edge: Int): Boolean {
+        acceptance.base(edge)
+        val fails = front.fails[edge].toInt()
+        if (fails >= FrontKeys.MAX_FAILS) {
+            takeVisibleNode(edge)
+            return true
+        }
+        placeIdeal(edge)
+        reach = REACH * size * (if (fails == 0) 1.0 else WIDER)
+        queryNear()
+        collect(edge, fails)
+        val leastQuality = if (fails == 0) LEAST_QUALITY else LEAST_QUALITY_LATER
+        while (true) {
+            val best = candidates.takeBest()
+            if (best == CandidateList.EMPTY) return false
+            if (best == CandidateList.NEW_NODE) {
+                if (!isPlaceClear()) continue
+                addNode(edge, px, py)
+                return true
+            }
+            if (isCornerClear(best, leastQuality)) {
+                join(edge, best)
+                return true
+            }
+        }
+    }
+
+    /** Sets the ideal place: the apex of the isosceles triangle whose sides have the wanted size. */
+    private fun placeIdeal(edge: Int) {
+        val a = front.origin[edge]
+        val b = front.destination(edge)
+        val xy = mesh.xy
+        ax = xy[2 * a]
+        ay = xy[2 * a + 1]
+        bx = xy[2 * b]
+        by = xy[2 * b + 1]
+        val dx = bx - ax
+        val dy = by - ay
+        val length = Math.sqrt(dx * dx + dy * dy)
+        val mx = 0.5 * (ax + bx)
+        val my = 0.5 * (ay + by)
+        val wanted = state.sizeNear(a, mx - SAMPLE_HEIGHT * dy, my + SAMPLE_HEIGHT * dx)
+        size = Math.min(Math.max(wanted, SHORTEST_SIDE * length), LONGEST_SIDE * length)
+        val height = Math.max(FLATTEST * length, Math.sqrt(Math.max(0.0, size * size - 0.25 * length * length)))
+        px = mx - height * dy / length
+        py = my + height * dx / length
+    }
+
+    private fun queryNear() = index.query(
+        Math.min(Math.min(ax, bx), px - reach), Math.min(Math.min(ay, by), py - reach),
+        Math.max(Math.max(ax, bx), px + reach), Math.max(Math.max(ay, by), py + reach),
+    )
+
+    private fun collect(edge: Int, fails: Int) {
+        candidates.clear()
+        val a = front.origin[edge]
+        val b = front.destination(edge)
+        val ahead = front.next[front.next[edge]]
+        val behind = front.previous[edge]
+        val near2 = NEAR_PLACE * NEAR_PLACE * size * size
+        val nodeClearance2 = NODE_CLEARANCE * NODE_CLEARANCE * size * size
+        val edgeClearance2 = EDGE_CLEARANCE * EDGE_CLEARANCE * size * size
+        val reach2 = reach * reach
+        var free = mesh.nodeCount < state.nodeBudget
+        val xy = mesh.xy
+        for (i in 0 until index.foundCount) {
+            val corner = index.found[i]
+            if (corner == edge) continue
+            val q = front.origin[corner]
+            val qx = xy[2 * q]
+            val qy = xy[2 * q + 1]
+            val d2 = (qx - px) * (qx - px) + (qy - py) * (qy - py)
+            if (free) {
+                val v = front.destination(corner)
+                free = d2 >= nodeClearance2 && distance2(px, py, qx, qy, xy[2 * v], xy[2 * v + 1]) >= edgeClearance2
+            }
+            if (d2 > reach2 || corner == ahead || corner == behind || q == a || q == b) continue
+            addCorner(corner, qx, qy, if (d2 < near2) PREFERENCE else FAR_FACTOR)
+        }
+        collectEar(ahead, bx, by, ax, ay, near2, fails)
+        if (behind != ahead) collectEar(behind, ax, ay, bx, by, near2, fails)
+        if (free) candidates.add(CandidateList.NEW_NODE, NEW_NODE_FACTOR * TriangleQuality.shape(ax, ay, bx, by, px, py))
+    }
+
+    private fun addCorner(corner: Int, qx: Double, qy: Double, factor: Double) {
+        val quality = TriangleQuality.shape(ax, ay, bx, by, qx, qy)
+        if (quality > 0) candidates.add(corner, factor * quality)
+    }
+
+    /** The neighbour of the base edge at its end v; w is the other end. */
+    private fun collectEar(corner: Int, vx: Double, vy: Double, wx: Double, wy: Double, near2: Double, fails: Int) {
+        val q = front.origin[corner]
+        val qx = mesh.xy[2 * q]
+        val qy = mesh.xy[2 * q + 1]
+        val ux = wx - vx
+        val uy = wy - vy
+        val tx = qx - vx
+        val ty = qy - vy
+        val cosine = (ux * tx + uy * ty) / Math.sqrt((ux * ux + uy * uy) * (tx * tx + ty * ty))
+        if (fails == 0 && cosine < WIDEST_EAR) return
+        val d2 = (qx - px) * (qx - px) + (qy - py) * (qy - py)
+        addCorner(corner, qx, qy, if (cosine > SHARP_EAR || d2 < near2) PREFERENCE else 1.0)
+    }
+
+    private fun isPlaceClear(): Boolean =
+        acceptance.isLeftOfBase(px, py) && acceptance.isClear(-1, px, py, index.found, index.foundCount)
+
+    private fun isCornerClear(corner: Int, leastQuality: Double): Boolean {
+        val q = front.origin[corner]
+        val qx = mesh.xy[2 * q]
+        val qy = mesh.xy[2 * q + 1]
+        if (TriangleQuality.shape(ax, ay, bx, by, qx, qy) < leastQuality) return false
+        if (!acceptance.isLeftOfBase(qx, qy) || !acceptance.seesBase(corner)) return false
+        if (Math.abs(qx - px) <= reach && Math.abs(qy - py) <= reach) {
+            return acceptance.isClear(q, qx, qy, index.found, index.foundCount)
+        }
+        // A neighbour at the end of a long edge: what was found does not cover its triangle.
+        val clear = acceptance.isClear(q, qx, qy)
+        if (!clear) queryNear()
+        return clear
+    }
+
+    private fun distance2(x: Double, y: Double, ux: Double, uy: Double, vx: Double, vy: Double): Double {
+        val dx = vx - ux
+        val dy = vy - uy
+        val ex = x - ux
+        val ey = y - uy
+        val t = (ex * dx + ey * dy) / (dx * dx + dy * dy)
+        if (t <= 0) return ex * ex + ey * ey
+        if (t >= 1) return (x - vx) * (x - vx) + (y - vy) * (y - vy)
+        val cross = ex * dy - ey * dx
+        return cross * cross / (dx * dx + dy * dy)
+    }
+
+    private companion object {
+        /** Height over the base edge, in its length, at which the wanted size is asked. */
+        const val SAMPLE_HEIGHT = 0.6
+
+        /** Bounds of the new sides, in the base edge's length. */
+        const val SHORTEST_SIDE = 0.55
+        const val LONGEST_SIDE = 2.0
+
+        /** Least height of the ideal place, in the base edge's length. */
+        const val FLATTEST = 0.2
+
+        /** How far from the ideal place nodes are looked for, in the wanted size, and how much farther later. */
+        const val REACH = 0.85
+        const val WIDER = 3.0
+
+        /** A new node keeps these distances from front nodes and edges, in the wanted size. */
+        const val NODE_CLEARANCE = 0.62
+        const val EDGE_CLEARANCE = 0.4
+
+        /** Existing nodes are worth more where they lie this near to the ideal place, or close a sharp angle. */
+        const val PREFERENCE = 1.15
+        const val NEAR_PLACE = 0.62
+
+        /**
+         * And less where they lie farther off: a strip of one and a half rows is better cut into two rows than
+         * spanned by one, since both are off by a factor of the square root of two.
+         */
+        const val FAR_FACTOR = 0.83
+
+        /** A new node must be this much better than an existing one to be made. */
+        const val NEW_NODE_FACTOR = 0.78
+
+        /** Cosines of about 100 and 80 degrees: neighbours are left alone above the first, preferred below the second. */
+        const val WIDEST_EAR = -0.18
+        const val SHARP_EAR = 0.17
+
+        const val LEAST_QUALITY = 0.25
+        const val LEAST_QUALITY_LATER = 0.02
+    }
+}

@@ -1,0 +1,208 @@
+package org.trigrid.improve
+
+import org.trigrid.mesh.MutableMesh
+
+/**
+ * Surgery on the connectivity of a mesh: flips, collapses and splits that keep twins, valences and one outgoing
+ * half-edge per node right. No geometry: who calls has checked that every element stays positive.
+ *
+ * The *valence* of a node is the number of elements around it; for a node inside it equals the degree, for a boundary
+ * node it is one less per fan of elements. Nodes and elements that die are used again by later splits.
+ */
+internal class Connectivity(@JvmField val mesh: MutableMesh) {
+    /** A half-edge that starts at the node, or -1 for a dead or unused one. */
+    @JvmField
+    var outgoing: IntArray = IntArray(mesh.nodeCount)
+
+    /** Elements around each node. */
+    @JvmField
+    var valence: IntArray = IntArray(mesh.nodeCount)
+
+    private var deadElements = IntArray(64)
+    private var deadElementCount = 0
+    private var deadNodes = IntArray(64)
+    private var deadNodeCount = 0
+
+    init {
+        java.util.Arrays.fill(outgoing, -1)
+        val elements = mesh.elements
+        for (t in 0 until mesh.elementCount) {
+            if (elements[3 * t] < 0) {
+                bury(t)
+                continue
+            }
+            for (h in 3 * t..3 * t + 2) {
+                outgoing[elements[h]] = h
+                valence[elements[h]]++
+            }
+        }
+    }
+
+    /** Whether a node may move or go. */
+    fun isFree(node: Int): Boolean = node >= mesh.fixedNodeCount
+
+    /** Whether the edge lies inside the domain and is no embedded segment, so that it may be flipped. */
+    fun isFlippable(h: Int): Boolean {
+        if (mesh.twins[h] < 0) return false
+        return mesh.embedded.isEmpty || !mesh.isEmbedded(mesh.elements[h], mesh.elements[next(h)])
+    }
+
+    /**
+     * Turns the edge a-b of the elements (a, b, c) and (b, a, d) into d-c:
+     * ```
+     *       c                c
+     *      / \              /|\
+     *     / t \            / | \
+     *    a--h->b    ->    a t|s b
+     *     \ s /            \ | /
+     *      \ /              \|/
+     *       d                d
+     * ```
+     * [h] is then a-d; the new edge is `next(h)`.
+     */
+    fun flip(h: Int) {
+        val elements = mesh.elements
+        val twins = mesh.twins
+        val g = twins[h]
+        val nh = next(h)
+        val ph = previous(h)
+        val ng = next(g)
+        val pg = previous(g)
+        val a = elements[h]
+        val b = elements[g]
+        val c = elements[ph]
+        val d = elements[pg]
+        val outerH = twins[nh]
+        val outerG = twins[ng]
+        elements[nh] = d
+        elements[ng] = c
+        mesh.link(h, outerG)
+        mesh.link(g, outerH)
+        mesh.link(nh, ng)
+        outgoing[a] = h
+        outgoing[b] = g
+        outgoing[c] = ng
+        outgoing[d] = nh
+        valence[a]--
+        valence[b]--
+        valence[c]++
+        valence[d]++
+    }
+
+    /** Pulls the free node at the start of [h] into the node at its end; two elements and the node die. */
+    fun collapse(h: Int) {
+        val elements = mesh.elements
+        val twins = mesh.twins
+        val n = elements[h]
+        val m = elements[next(h)]
+        val g = twins[h]
+        val left = elements[previous(h)]
+        val right = elements[previous(g)]
+        var at = h
+        do {
+            elements[at] = m
+            at = twins[previous(at)]
+        } while (at != h)
+        val innerLeft = twins[previous(h)]
+        val innerRight = twins[next(g)]
+        val outerLeft = twins[next(h)]
+        val outerRight = twins[previous(g)]
+        mesh.link(innerLeft, outerLeft)
+        mesh.link(innerRight, outerRight)
+        outgoing[m] = innerLeft
+        outgoing[left] = next(innerLeft)
+        outgoing[right] = innerRight
+        valence[m] += valence[n] - 4
+        valence[left]--
+        valence[right]--
+        outgoing[n] = -1
+        valence[n] = 0
+        mesh.sizes[n] = Double.NaN
+        if (deadNodeCount == deadNodes.size) deadNodes = deadNodes.copyOf(2 * deadNodeCount)
+        deadNodes[deadNodeCount++] = n
+        bury(h / 3)
+        bury(g / 3)
+    }
+
+    /** Puts a new node on the inner edge [h], which becomes its first half, and returns the node. Its valence is 4. */
+    fun split(h: Int, x: Double, y: Double, size: Double): Int {
+        val n = newNode(x, y, size)
+        val t = newElement()
+        val s = newElement()
+        val elements = mesh.elements
+        val twins = mesh.twins
+        val g = twins[h]
+        val nh = next(h)
+        val ng = next(g)
+        val a = elements[h]
+        val b = elements[g]
+        val c = elements[previous(h)]
+        val d = elements[previous(g)]
+        val outerH = twins[nh]
+        val outerG = twins[ng]
+        elements[t] = n
+        elements[t + 1] = b
+        elements[t + 2] = c
+        elements[s] = n
+        elements[s + 1] = a
+        elements[s + 2] = d
+        elements[nh] = n
+        elements[ng] = n
+        mesh.link(h, s)
+        mesh.link(g, t)
+        mesh.link(nh, t + 2)
+        mesh.link(ng, s + 2)
+        twins[t + 1] = -1
+        twins[s + 1] = -1
+        mesh.link(t + 1, outerH)
+        mesh.link(s + 1, outerG)
+        outgoing[n] = nh
+        outgoing[a] = h
+        outgoing[b] = g
+        outgoing[c] = previous(h)
+        outgoing[d] = previous(g)
+        valence[n] = 4
+        valence[c]++
+        valence[d]++
+        return n
+    }
+
+    /** Whether the element of a half-edge is alive. */
+    fun isAlive(h: Int): Boolean = mesh.elements[h - h % 3] >= 0
+
+    private fun bury(t: Int) {
+        mesh.elements[3 * t] = -1
+        if (deadElementCount == deadElements.size) deadElements = deadElements.copyOf(2 * deadElementCount)
+        deadElements[deadElementCount++] = t
+    }
+
+    /** First half-edge of an element to fill. */
+    private fun newElement(): Int =
+        3 * if (deadElementCount > 0) deadElements[--deadElementCount] else mesh.addElement(0, 0, 0)
+
+    private fun newNode(x: Double, y: Double, size: Double): Int {
+        if (deadNodeCount == 0) {
+            val n = mesh.addNode(x, y, size)
+            if (n >= outgoing.size) {
+                outgoing = outgoing.copyOf(n + n / 2 + 16)
+                valence = valence.copyOf(outgoing.size)
+            }
+            return n
+        }
+        val n = deadNodes[--deadNodeCount]
+        mesh.xy[2 * n] = x
+        mesh.xy[2 * n + 1] = y
+        mesh.sizes[n] = size
+        return n
+    }
+
+    companion object {
+        /** The half-edge after [h] around its element. */
+        @JvmStatic
+        fun next(h: Int): Int = if (h % 3 == 2) h - 2 else h + 1
+
+        /** The half-edge before [h] around its element. */
+        @JvmStatic
+        fun previous(h: Int): Int = if (h % 3 == 0) h + 2 else h - 1
+    }
+}

@@ -1,0 +1,59 @@
+package org.trigrid.mesh
+
+/** Gives the nodes of a mesh new numbers and puts its elements in their order. */
+internal object MeshRenumbering {
+    fun apply(mesh: TriMesh, newNumbers: IntArray): TriMesh {
+        requirePermutation(newNumbers, mesh.nodeCount)
+        val xy = DoubleArray(mesh.xy.size)
+        val kinds = ByteArray(mesh.kinds.size)
+        for (node in newNumbers.indices) {
+            val to = newNumbers[node]
+            xy[2 * to] = mesh.xy[2 * node]
+            xy[2 * to + 1] = mesh.xy[2 * node + 1]
+            kinds[to] = mesh.kinds[node]
+        }
+        val edges = IntArray(mesh.edges.size) { newNumbers[mesh.edges[it]] }
+        val place = elementPlaces(mesh, newNumbers)
+        val elements = IntArray(mesh.elements.size)
+        val neighbours = IntArray(mesh.neighbours.size)
+        for (t in place.indices) {
+            val from = 3 * t
+            val to = 3 * place[t]
+            for (k in 0..2) {
+                elements[to + k] = newNumbers[mesh.elements[from + k]]
+                val neighbour = mesh.neighbours[from + k]
+                neighbours[to + k] = if (neighbour < 0) neighbour else place[neighbour]
+            }
+        }
+        return TriMesh(
+            xy, elements, neighbours, kinds, edges, mesh.edgeTags, mesh.boundaryEdgeCount, mesh.tags, mesh.regionName,
+        )
+    }
+
+    /** New place of each element: stable counting sort by the lowest new node. */
+    private fun elementPlaces(mesh: TriMesh, newNumbers: IntArray): IntArray {
+        val place = IntArray(mesh.elementCount)
+        val start = IntArray(mesh.nodeCount + 1)
+        for (t in place.indices) {
+            val a = newNumbers[mesh.elements[3 * t]]
+            val b = newNumbers[mesh.elements[3 * t + 1]]
+            val c = newNumbers[mesh.elements[3 * t + 2]]
+            val low = minOf(a, minOf(b, c))
+            place[t] = low
+            start[low + 1]++
+        }
+        for (n in 1..mesh.nodeCount) start[n] += start[n - 1]
+        for (t in place.indices) place[t] = start[place[t]]++
+        return place
+    }
+
+    private fun requirePermutation(newNumbers: IntArray, count: Int) {
+        require(newNumbers.size == count) { "${newNumbers.size} new numbers for $count nodes" }
+        val seen = BooleanArray(count)
+        for (node in newNumbers.indices) {
+            val to = newNumbers[node]
+            require(to in 0 until count && !seen[to]) { "new number $to of node $node is out of range or given twice" }
+            seen[to] = true
+        }
+    }
+}

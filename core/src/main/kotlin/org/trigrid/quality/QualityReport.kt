@@ -1,0 +1,129 @@
+package org.trigrid.quality
+
+import org.trigrid.mesh.TriMesh
+
+/**
+ * How good the elements of a mesh are.
+ *
+ * Quality is q = 4 sqrt(3) A / (l1^2 + l2^2 + l3^2), dimensionless: 1 for an equilateral triangle, 0 for a flat one,
+ * negative for a clockwise one, which no valid mesh has. Angles are in degrees. Percentiles are interpolated linearly
+ * between ranks. A mesh without elements has NaN for every figure.
+ */
+public class QualityReport internal constructor(measures: ElementMeasures, worstCount: Int) {
+    @get:JvmName("elementCount")
+    public val elementCount: Int = measures.elementCount
+
+    @get:JvmName("minQuality")
+    public val minQuality: Double = measures.qualities.minOrNaN()
+
+    /** 5 % of the elements are worse than this. */
+    @get:JvmName("quality05")
+    public val quality05: Double
+
+    @get:JvmName("meanQuality")
+    public val meanQuality: Double = measures.qualities.compensatedMean()
+
+    /** Share of elements with a quality below 0.5, 0..1. */
+    @get:JvmName("shareBelowHalf")
+    public val shareBelowHalf: Double = measures.qualities.count { it < 0.5 } / elementCount.toDouble()
+
+    @get:JvmName("minAngle")
+    public val minAngle: Double = measures.minAngles.minOrNaN()
+
+    /** Smallest angle that 1 % of the elements fall below. */
+    @get:JvmName("minAngle01")
+    public val minAngle01: Double
+
+    /** Smallest angle that 5 % of the elements fall below. */
+    @get:JvmName("minAngle05")
+    public val minAngle05: Double
+
+    /** Mean over the elements of their smallest angle. */
+    @get:JvmName("meanMinAngle")
+    public val meanMinAngle: Double = measures.minAngles.compensatedMean()
+
+    @get:JvmName("maxAngle")
+    public val maxAngle: Double = measures.maxAngles.fold(Double.NaN) { m, v -> if (v <= m) m else v }
+
+    /** Elements whose largest angle is above 120 degrees. */
+    @get:JvmName("above120")
+    public val above120: Int = measures.maxAngles.count { it > 120.0 }
+
+    /** Share of interior nodes with six neighbours, 0..1; NaN without interior nodes. */
+    @get:JvmName("degree6")
+    public val degree6: Double
+
+    /** Share of interior nodes with five to seven neighbours, 0..1; NaN without interior nodes. */
+    @get:JvmName("degree567")
+    public val degree567: Double
+
+    @get:JvmName("interiorNodeCount")
+    public val interiorNodeCount: Int
+
+    /** The worst elements, worst first. */
+    @get:JvmName("worstElements")
+    public val worstElements: List<WorstElement> = measures.worst(worstCount)
+
+    private val qualities = measures.qualityHistogram()
+    private val angles = measures.angleHistogram
+    private val smallAngles = intArrayOf(10, 20, 30).map { limit -> measures.minAngles.count { it < limit } }
+
+    init {
+        val degrees = NodeDegrees.of(measures.mesh)
+        interiorNodeCount = degrees.interiorNodeCount
+        degree6 = degrees.share(6, 6)
+        degree567 = degrees.share(5, 7)
+        val none = elementCount == 0
+        // From here on the arrays are reordered.
+        quality05 = if (none) Double.NaN else Percentile.of(measures.qualities, 5.0)
+        minAngle01 = if (none) Double.NaN else Percentile.of(measures.minAngles, 1.0)
+        minAngle05 = if (none) Double.NaN else Percentile.of(measures.minAngles, 5.0)
+    }
+
+    /** Elements by quality: 10 classes of width 0.1 from 0 to 1; a quality below 0 counts in the first. A copy. */
+    public fun qualityHistogram(): IntArray = qualities.copyOf()
+
+    /** All angles of all elements: 18 classes of 10 degrees from 0 to 180. A copy. */
+    public fun angleHistogram(): IntArray = angles.copyOf()
+
+    /** Elements with an angle below 10 degrees. */
+    @get:JvmName("below10")
+    public val below10: Int get() = smallAngles[0]
+
+    /** Elements with an angle below 20 degrees. */
+    @get:JvmName("below20")
+    public val below20: Int get() = smallAngles[1]
+
+    /** Elements with an angle below 30 degrees. */
+    @get:JvmName("below30")
+    public val below30: Int get() = smallAngles[2]
+
+    public companion object {
+        private const val WORST = 10
+
+        /** The report with the ten worst elements. */
+        @JvmStatic
+        public fun of(mesh: TriMesh): QualityReport = of(mesh, WORST)
+
+        /** The report with the [worstCount] worst elements, or all where there are fewer. */
+        @JvmStatic
+        public fun of(mesh: TriMesh, worstCount: Int): QualityReport {
+            require(worstCount >= 0) { "worstCount must not be negative: $worstCount" }
+            return QualityReport(ElementMeasures(mesh), worstCount)
+        }
+    }
+}
+
+private fun DoubleArray.minOrNaN(): Double = if (isEmpty()) Double.NaN else min()
+
+/** Mean by Neumaier's compensated sum. */
+private fun DoubleArray.compensatedMean(): Double {
+    var sum = 0.0
+    var lost = 0.0
+    for (v in this) {
+        val t = sum + v
+        lost += if (Math.abs(sum) >= Math.abs(v)) (sum - t) + v else (v - t) + sum
+        sum = t
+    }
+    return (sum + lost) / size
+}
