@@ -15,6 +15,7 @@ internal class LinearField(
     gradation: Double,
 ) : SizeField {
     private val walk = TriangleWalk(mesh)
+    private var lastSource = -1
     private val steep = java.util.BitSet(mesh.triangleCount)
 
     override var lastHint: Int = 0
@@ -30,7 +31,10 @@ internal class LinearField(
         val t = walk.find(x, y, if (hint >= 0) hint else lastHint)
         lastHint = t
         val size = interpolated(t)
-        return if (steep.get(t)) cones.min(x, y, mesh.nodes[3 * t], size) else size
+        if (!steep.get(t)) return size
+        val limited = cones.min(x, y, lastSource, size, GradedField.TOLERANCE)
+        if (cones.winner >= 0) lastSource = cones.winner
+        return limited
     }
 
     private fun interpolated(t: Int): Double {
