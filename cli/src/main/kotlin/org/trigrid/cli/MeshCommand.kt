@@ -3,6 +3,8 @@ package org.trigrid.cli
 import org.trigrid.MeshGenerator
 import org.trigrid.MeshOptions
 import org.trigrid.MeshResult
+import org.trigrid.io.AtomicFile
+import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
 import org.trigrid.project.DomainInput
 import org.trigrid.project.DomainInputs
@@ -15,7 +17,6 @@ import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Spec
 import java.nio.file.Path
 import java.util.concurrent.Callable
-import kotlin.io.path.writeText
 
 /** Meshes a domain and writes the mesh, and a report and a picture where they are asked for. */
 @Command(
@@ -74,20 +75,23 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
     /** Finds out before the work starts what would only fail after it. */
     private fun checkArguments() {
         meshing.over(MeshOptions.DEFAULT, spec.commandLine())
-        if (format !in FORMATS) throw ParameterException(spec.commandLine(), "--format must be 2.2 or 4.1, not $format")
-        ReplacingFile.checkPlace(output)
+        meshFormat()
+        OutputPlace.check(output)
         picture?.let {
             PictureOutput.checkName(it, spec.commandLine())
-            ReplacingFile.checkPlace(it)
+            OutputPlace.check(it)
         }
-        report?.let { if (it != STANDARD_OUTPUT) ReplacingFile.checkPlace(Path.of(it)) }
+        report?.let { if (it != STANDARD_OUTPUT) OutputPlace.check(Path.of(it)) }
     }
+
+    private fun meshFormat(): MeshFormat = MeshFormat.ofVersion(format)
+        ?: throw ParameterException(spec.commandLine(), "--format must be 2.2 or 4.1, not $format")
 
     private fun mesh(domain: DomainInput, suffix: String, clock: RunClock): MeshFigures {
         val result = generate(domain)
         val file = withSuffix(output, suffix)
         clock.writing {
-            ReplacingFile.write(file) { MeshFormats.write(result.mesh, it, format) }
+            MeshFormats.write(result.mesh, file, meshFormat())
             picture?.let { PictureOutput.writeMesh(result.mesh, withSuffix(it, suffix)) }
         }
         val figures = MeshFigures(domain.name, result.report, clock)
@@ -106,7 +110,7 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
         val target = report ?: return
         val text = ReportJson.text(figures)
         if (target == STANDARD_OUTPUT) session.terminal.out.print(text)
-        else ReplacingFile.write(Path.of(target)) { it.writeText(text) }
+        else AtomicFile.write(Path.of(target)) { it.write(text.toByteArray()) }
     }
 
     private fun withSuffix(file: Path, suffix: String): Path {
@@ -119,6 +123,5 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
     private companion object {
         const val STANDARD_OUTPUT = "-"
         const val DEFAULT_FORMAT = "2.2"
-        val FORMATS = setOf("2.2", "4.1")
     }
 }

@@ -12,6 +12,6 @@ internal object PictureOutput {
     }
 
     fun writeMesh(mesh: org.trigrid.mesh.TriMesh, file: Path) {
-        ReplacingFile.write(file) { java.nio.file.Files.writeString(it, "$mesh") }
+        org.trigrid.io.AtomicFile.write(file) { it.write("$mesh".toByteArray()) }
     }
 }
