@@ -102,7 +102,7 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
                 free = d2 >= nodeClearance2 && distance2(px, py, qx, qy, xy[2 * v], xy[2 * v + 1]) >= edgeClearance2
             }
             if (d2 > reach2 || corner == ahead || corner == behind || q == a || q == b) continue
-            addCorner(corner, qx, qy, if (d2 < near2) PREFERENCE else 1.0)
+            addCorner(corner, qx, qy, if (d2 < near2) PREFERENCE else FAR_FACTOR)
         }
         collectEar(ahead, bx, by, ax, ay, near2, fails)
         if (behind != ahead) collectEar(behind, ax, ay, bx, by, near2, fails)
@@ -176,11 +176,17 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
 
         /** A new node keeps these distances from front nodes and edges, in the wanted size. */
         const val NODE_CLEARANCE = 0.62
-        const val EDGE_CLEARANCE = 0.5
+        const val EDGE_CLEARANCE = 0.4
 
         /** Existing nodes are worth more where they lie this near to the ideal place, or close a sharp angle. */
         const val PREFERENCE = 1.15
         const val NEAR_PLACE = 0.62
+
+        /**
+         * And less where they lie farther off: a strip of one and a half rows is better cut into two rows than
+         * spanned by one, since both are off by a factor of the square root of two.
+         */
+        const val FAR_FACTOR = 0.83
 
         /** A new node must be this much better than an existing one to be made. */
         const val NEW_NODE_FACTOR = 0.78
