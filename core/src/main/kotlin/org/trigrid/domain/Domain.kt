@@ -31,6 +31,7 @@ public class Domain internal constructor(
     /** First segment of each loop, and [boundaryCount] at the end. */
     private val loopStarts: IntArray = DomainLoops(segments, boundaryCount).starts
 
+    /** Boundary nodes and nodes of embedded segments. */
     @get:JvmName("nodeCount")
     public val nodeCount: Int get() = xy.size / 2
 
@@ -42,17 +43,22 @@ public class Domain internal constructor(
     @get:JvmName("loopCount")
     public val loopCount: Int get() = loopStarts.size - 1
 
+    /** In the unit of the coordinates, bit for bit as given. */
     public fun x(node: Int): Double = xy[2 * node]
 
+    /** In the unit of the coordinates, bit for bit as given. */
     public fun y(node: Int): Double = xy[2 * node + 1]
 
+    /** The node from which the segment runs. */
     public fun segmentStart(segment: Int): Int = segments[2 * segment]
 
+    /** The node to which the segment runs. */
     public fun segmentEnd(segment: Int): Int = segments[2 * segment + 1]
 
     /** Index into [tags] of the segment's group. */
     public fun segmentTag(segment: Int): Int = segmentTags[segment]
 
+    /** Whether the domain lies on both sides of the segment. */
     public fun isEmbedded(segment: Int): Boolean = embedded[segment]
 
     /** The loop's first segment; its others follow, up to the next loop's first. `loopStart(loopCount)` ends the last loop. */

@@ -42,8 +42,10 @@ internal class FaultList {
         return quota
     }
 
-    private fun notListed(next: Fault, missing: Int) =
-        Fault(next.kind, "$missing more faults of this kind are not listed; the next: ${next.message}", next.x, next.y, next.nodes())
+    private fun notListed(next: Fault, missing: Int): Fault {
+        val message = "$missing more faults of this kind are not listed; one of them: ${next.message}"
+        return Fault(next.kind, message, next.x, next.y, next.nodes())
+    }
 
     private companion object {
         const val LIMIT = 1000

@@ -85,6 +85,11 @@ internal class LineWorkFaces(private val xy: DoubleArray, private val segments: 
         for (side in 0 until sideCount) around[free[origin(side)]++] = side
         val directions = Directions(xy)
         for (node in 0 until nodeCount) {
+            if (first[node + 1] - first[node] == 2) {
+                next[around[first[node]] xor 1] = around[first[node] + 1]
+                next[around[first[node] + 1] xor 1] = around[first[node]]
+                continue
+            }
             val sorted = (first[node] until first[node + 1]).map { around[it] }.sortedWith { a, b ->
                 val byAngle = directions.compare(node, destination(a), destination(b))
                 if (byAngle != 0) byAngle else a - b

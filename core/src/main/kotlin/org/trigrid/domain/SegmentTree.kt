@@ -58,7 +58,11 @@ internal class SegmentTree(
         while (depth > 0) {
             val node = stack[--depth]
             if (!touches(node, minX, minY, maxX, maxY)) continue
-            if (isSegment(node)) action(segmentAt(node)) else for (child in firstChild(node)..lastChild(node)) stack[depth++] = child
+            if (isSegment(node)) {
+                action(segmentAt(node))
+            } else {
+                for (child in firstChild(node)..lastChild(node)) stack[depth++] = child
+            }
         }
     }
 

@@ -24,8 +24,8 @@ internal class WarningSearch(private val checked: CheckedDomain) {
             }
             val ratio = length(next) / length(s)
             if (ratio > LARGEST_RATIO || ratio < 1 / LARGEST_RATIO) {
-                val times = rounded(Math.max(ratio, 1 / ratio))
-                add(WarningKind.SPACING_JUMP, node, "segment lengths at node ${checked.nodeText(node)} differ by a factor of $times")
+                val times = "by a factor of ${rounded(Math.max(ratio, 1 / ratio))}"
+                add(WarningKind.SPACING_JUMP, node, "segments at node ${checked.nodeText(node)} differ in length $times")
             }
         }
     }

@@ -27,9 +27,12 @@ internal class WindingFaults(
     private val openBox = Envelope()
 
     init {
-        for (node in skipped.indices) if (parts.isOpen(node) && checked.isFinite(node)) openBox.expandToInclude(xy[2 * node], xy[2 * node + 1])
         for (t in 0 until checked.boundaryCount) if (isFaulty[t]) skipped[parts.partOf(checked.start(t))] = true
-        for (node in skipped.indices) if (parts.isOpen(node)) skipped[parts.partOf(node)] = true
+        for (node in skipped.indices) {
+            if (!parts.isOpen(node)) continue
+            skipped[parts.partOf(node)] = true
+            if (checked.isFinite(node)) openBox.expandToInclude(xy[2 * node], xy[2 * node + 1])
+        }
     }
 
     fun find() {
@@ -118,7 +121,7 @@ internal class WindingFaults(
             if (isNearOpenWalk(corner)) return
             fault(FaultKind.HOLE_OUTSIDE, corner, "the hole at node ${checked.nodeText(corner)} has no material round it")
         } else if (isHole && winding > 1 || !isHole && winding > 0) {
-            fault(FaultKind.OVERLAP, corner, "the loop at node ${checked.nodeText(corner)} lies where another covers the place already")
+            fault(FaultKind.OVERLAP, corner, "the loop at node ${checked.nodeText(corner)} lies where another covers the place")
         }
     }
 

@@ -30,7 +30,8 @@ public object JtsDomains {
     /** One domain for each polygon that is not empty, in their order. */
     @JvmStatic
     public fun fromEach(polygons: MultiPolygon): List<Domain> =
-        (0 until polygons.numGeometries).map { polygons.getGeometryN(it) as Polygon }.filter { !it.isEmpty }.map { fromPolygon(it) }
+        (0 until polygons.numGeometries).map { polygons.getGeometryN(it) as Polygon }
+            .filter { !it.isEmpty }.map { fromPolygon(it) }
 
     /**
      * One domain with a component for each polygon; the tags of the polygon k > 1 begin with "k_". Polygons that share a node
@@ -88,7 +89,9 @@ public object JtsDomains {
     private fun addRings(builder: DomainBuilder, polygon: Polygon, prefix: String) {
         require(!polygon.isEmpty) { "the polygon is empty" }
         builder.outer(coordinates(polygon.exteriorRing), prefix + "outer")
-        for (i in 0 until polygon.numInteriorRing) builder.hole(coordinates(polygon.getInteriorRingN(i)), "${prefix}hole_${i + 1}")
+        for (i in 0 until polygon.numInteriorRing) {
+            builder.hole(coordinates(polygon.getInteriorRingN(i)), "${prefix}hole_${i + 1}")
+        }
     }
 
     /** Rings of JTS always repeat their first point. */

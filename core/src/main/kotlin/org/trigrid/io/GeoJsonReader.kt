@@ -16,7 +16,11 @@ import org.trigrid.domain.Domain
  * Ring 0 is the outer boundary (tag "outer"), the others are holes ("hole_1", …), in either direction. Third coordinates
  * are left out, and so are points and lines. Also read: `{"name": …, "loops": [[[x, y], …], …]}`, loops of any role.
  */
-internal class GeoJsonReader private constructor(private val text: String, private val source: String, private val baseName: String) {
+internal class GeoJsonReader private constructor(
+    private val text: String,
+    private val source: String,
+    private val baseName: String,
+) {
     private val domains = ArrayList<NamedDomain>()
 
     /** Members and elements from the root to a value. */
@@ -40,7 +44,10 @@ internal class GeoJsonReader private constructor(private val text: String, priva
         val message = e.message.orEmpty().lineSequence().first()
         val offset = OFFSET.find(message)?.groupValues?.get(1)?.toIntOrNull()
         val reason = "not JSON: " + message.substringAfter(": ").substringBefore(" at path")
-        throw if (offset == null) FileFormatException(source, 0, 0, reason, e) else TextPlace.exception(source, text, offset, reason, e)
+        throw when (offset) {
+            null -> FileFormatException(source, 0, 0, reason, e)
+            else -> TextPlace.exception(source, text, offset, reason, e)
+        }
     }
 
     private fun readLoops(tree: JsonObject, at: At) {
@@ -109,8 +116,9 @@ internal class GeoJsonReader private constructor(private val text: String, priva
 
     private fun number(element: JsonElement, ring: At, position: Int, axis: Int): Double {
         val content = (element as? JsonPrimitive)?.takeIf { !it.isString }?.content
-        if (content == null || !RingPoints.isDecimal(content)) fail(ring[position][axis], "a coordinate must be a number")
-        return content.toDouble()
+        val value = RingPoints.decimal(content.orEmpty())
+        if (value.isNaN()) fail(ring[position][axis], "a coordinate must be a number")
+        return value
     }
 
     private fun arrayOf(tree: JsonObject, member: String, at: At): JsonArray {

@@ -28,7 +28,10 @@ internal class PolyReader private constructor(private val file: Path, text: Stri
         val segmentTags = IntArray(segmentCount)
         for (s in 0 until segmentCount) {
             lines.next("segment ${s + 1} of $segmentCount")
-            for (end in 0..1) segments[2 * s + end] = points.indexOf(lines.int(1 + end)) ?: lines.fail(1 + end, "there is no such point")
+            for (end in 0..1) {
+                val point = points.indexOf(lines.int(1 + end)) ?: lines.fail(1 + end, "there is no such point")
+                segments[2 * s + end] = point
+            }
             val marker = if (hasMarkers && lines.fieldCount > 3) lines.int(3) else 0
             segmentTags[s] = tagNumber(if (marker == 0) "boundary" else "marker_$marker")
         }

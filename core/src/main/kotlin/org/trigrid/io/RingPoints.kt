@@ -9,15 +9,22 @@ internal object RingPoints {
         return if (repeats) xy.copyOf(last) else xy
     }
 
-    /** Whether a text is a plain decimal number within the range of doubles; `toDouble` also takes "1f", "NaN", "0x1p3". */
-    fun isDecimal(text: String): Boolean {
-        val last = text.lastOrNull() ?: return false
-        if (!last.isAsciiDigit() && last != '.') return false
-        var hasDigit = false
+    /**
+     * The double nearest to a plain decimal number, or NaN if the text is none or leaves the range of doubles;
+     * `toDouble` also takes "1f", "NaN", "0x1p3".
+     */
+    fun decimal(text: String): Double {
+        val last = text.lastOrNull() ?: return Double.NaN
+        if (!last.isAsciiDigit() && last != '.') return Double.NaN
         for (c in text) {
-            if (c.isAsciiDigit()) hasDigit = true else if (c != '+' && c != '-' && c != '.' && c != 'e' && c != 'E') return false
+            if (!c.isAsciiDigit() && c != '+' && c != '-' && c != '.' && c != 'e' && c != 'E') return Double.NaN
         }
-        return hasDigit && text.toDoubleOrNull()?.isFinite() == true
+        return try {
+            val value = java.lang.Double.parseDouble(text)
+            if (value.isFinite()) value else Double.NaN
+        } catch (_: NumberFormatException) {
+            Double.NaN
+        }
     }
 
     private fun Char.isAsciiDigit() = this in '0'..'9'

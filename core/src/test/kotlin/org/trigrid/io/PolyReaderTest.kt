@@ -72,10 +72,11 @@ class PolyReaderTest {
         value = [
             "3 2 0 0~1 0 0~2 1 x~3 0 1~0 0~0 | 3 | 5 | not a number",
             "3 2 0 0~1 0 0~1 1 0~3 0 1~0 0~0 | 3 | 1 | of that number already",
-            "3 3 0 0~1 0 0 0 | 1 | 3 | two coordinates",
+            "3 3 0 0~1 0 0 0~2 1 1 1 | 1 | 3 | two coordinates",
             "3 2 0 0~1 0 0~2 1 0~3 0 1~1 0~1 1 4~0 | 6 | 5 | no such point",
             "3 2 0 0~1 0 0~2 1 | 3 | 4 | missing",
-            "3 2 0 0~1 0 0 | 2 | 0 | ends before point 2 of 3",
+            "3 2 0 0~1 0 0~ | 3 | 0 | ends before point 2 of 3",
+            "900000000 2 0 0~1 0 0 | 1 | 1 | of this file",
             "-3 2 0 0 | 1 | 1 | not a number of points",
             "a b | 1 | 1 | not a whole number",
             "0 2 0 0 | 1 | 1 | no file bad.node",
