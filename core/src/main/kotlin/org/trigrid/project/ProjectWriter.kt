@@ -42,17 +42,18 @@ internal class ProjectWriter(private val project: Project) {
         it["rounding"] = JsonFields.word(defaults.rounding)
     }
 
-    /** All but infinity, which JSON cannot say and which is the default. */
+    /** What differs from the standard options; a file that leaves an option out has the standard one. */
     private fun options(options: MeshOptions) = JsonObject().also {
-        it["sizes"] = JsonFields.word(options.sizes)
-        it["gradation"] = options.gradation
-        it["minSize"] = options.minSize
-        if (options.maxSize < Double.POSITIVE_INFINITY) it["maxSize"] = options.maxSize
-        it["strategy"] = JsonFields.word(options.strategy)
-        it["improve"] = JsonBoolean(options.improve)
-        it["smoothingTolerance"] = options.smoothingTolerance
-        it["numbering"] = JsonFields.word(options.numbering)
-        it["maxElements"] = JsonNumber(options.maxElements.toString())
+        val standard = MeshOptions.DEFAULT
+        if (options.sizes != standard.sizes) it["sizes"] = JsonFields.word(options.sizes)
+        if (options.gradation != standard.gradation) it["gradation"] = options.gradation
+        if (options.minSize != standard.minSize) it["minSize"] = options.minSize
+        if (options.maxSize != standard.maxSize) it["maxSize"] = options.maxSize
+        if (options.strategy != standard.strategy) it["strategy"] = JsonFields.word(options.strategy)
+        if (options.improve != standard.improve) it["improve"] = JsonBoolean(options.improve)
+        if (options.smoothingTolerance != standard.smoothingTolerance) it["smoothingTolerance"] = options.smoothingTolerance
+        if (options.numbering != standard.numbering) it["numbering"] = JsonFields.word(options.numbering)
+        if (options.maxElements != standard.maxElements) it["maxElements"] = JsonNumber(options.maxElements.toString())
     }
 
     private fun step(step: PathStep): JsonObject = JsonObject().also {

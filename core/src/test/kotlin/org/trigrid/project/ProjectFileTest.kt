@@ -11,6 +11,7 @@ import org.trigrid.MeshOptions
 import org.trigrid.Sizes
 import org.trigrid.Strategy
 import org.trigrid.diagnostics.FileFormatException
+import org.trigrid.domain.DomainCheck
 import org.trigrid.domain.Path
 import org.trigrid.numbering.NumberingMethod
 import org.trigrid.shape.Circle
@@ -98,6 +99,21 @@ class ProjectFileTest {
         assertEquals(2, domain.loopCount)
         assertEquals(28 + 13, domain.segmentCount)
         assertEquals(Direction.CLOCKWISE, (project.path.shape(2) as Circle).direction)
+    }
+
+    @Test
+    fun `the documented example is read, makes a domain and is written again`() {
+        val document = Files.readString(java.nio.file.Path.of("..", "docs", "formats.md"))
+        val text = document.substringAfter("```json\n").substringBefore("```")
+        val project = ProjectFile.parse(text, "formats.md")
+        assertEquals(10, project.path.shapeCount)
+        assertEquals(1.5, project.options.maxSize)
+        val domain = project.toDomain()
+        assertEquals(7, domain.loopCount)
+        assertTrue(DomainCheck.check(domain).isEmpty())
+        val written = ProjectFile.format(project)
+        assertEquals(written, ProjectFile.format(ProjectFile.parse(written, "x")))
+        assertArrayEquals(domain.nodeCoordinates(), ProjectFile.parse(written, "x").toDomain().nodeCoordinates())
     }
 
     @Test
