@@ -49,7 +49,7 @@ internal class LinearField(
         return if (sum > 0) mean else Math.min(a, Math.min(b, c))
     }
 
-    /** Slope of the linear interpolation in triangle [t]; infinite or NaN-free for any positive triangle. */
+    /** Slope of the linear interpolation in triangle [t]; infinity where rounding leaves the triangle no area. */
     private fun slopeIn(t: Int): Double {
         val a = mesh.nodes[3 * t]
         val b = mesh.nodes[3 * t + 1]
