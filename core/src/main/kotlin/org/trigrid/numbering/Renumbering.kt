@@ -55,7 +55,7 @@ internal object Renumbering {
 
     /** Passes over the graph allowed in a search, and the work that any graph may have, in entries read. */
     private const val PASSES = 40L
-    private const val PASSES_LARGE = 20L
+    private const val PASSES_LARGE = 10L
     private const val LARGE = 100_000
     private const val SMALL_BUDGET = 6_000_000L
 }
