@@ -90,7 +90,7 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
             val count = maxOf(1, m / parts)
             for (p in 0 until POSITIONS) {
                 if (!within(SCANNED)) return
-                trySweep((p.toLong() * m / POSITIONS).toInt(), count)
+                trySweep(((2 * p + 1L) * m / (2 * POSITIONS)).toInt(), count)
             }
         }
     }
@@ -141,7 +141,7 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
             val from = (p.toLong() * boundary.size / MERGE_POSITIONS).toInt()
             for (count in intArrayOf(1, boundary.size / 8)) {
                 if (!within(MERGED) || count < 1) return
-                mergeBothWays(from, count)
+                mergeFrom(SweepStart(from, count, SweepStart.Way.MERGED))
             }
         }
     }
