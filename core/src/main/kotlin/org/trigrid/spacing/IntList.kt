@@ -9,6 +9,10 @@ internal class IntList {
 
     operator fun get(index: Int): Int = items[index]
 
+    fun replace(index: Int, item: Int) {
+        items[index] = item
+    }
+
     fun add(item: Int) {
         if (size == items.size) items = items.copyOf(2 * size)
         items[size++] = item

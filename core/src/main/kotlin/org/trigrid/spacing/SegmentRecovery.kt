@@ -62,7 +62,7 @@ internal class SegmentRecovery(private val mesh: DelaunayBuilder) {
     fun recover(u: Int, v: Int, embedded: Boolean) {
         if (markIfPresent(u, v, embedded)) return
         collectCrossed(firstCrossed(u, v), u, v)
-        triangles.size.let { check(it == rightEdges.size + leftEdges.size - 2) { "segment $u-$v crosses a broken channel" } }
+        check(triangles.size == rightEdges.size + leftEdges.size - 2) { "segment $u-$v crosses a broken channel" }
         leftEdges.reverse()
         chain.detach(rightEdges, leftEdges)
         val right = chain.fill(0, rightEdges.size, u, v)
