@@ -60,9 +60,14 @@ internal class Collapser(
             merged.add(star.ring[i], star.xy[2 * i], star.xy[2 * i + 1])
         }
         val after: Double
+        var sumBefore = star.sumQuality(star.x, star.y)
+        var countBefore = count
+        val sumAfter: Double
         if (connectivity.isFree(m)) {
             other.gather(connectivity, m)
             before = minOf(before, other.minQuality(other.x, other.y))
+            sumBefore += other.sumQuality(other.x, other.y) - star.quality(at) - star.quality(if (at == 0) count - 1 else at - 1)
+            countBefore += other.count - 2
             var start = 0
             while (other.ring[start] != node) start++
             // From the node, the ring of m runs over the right neighbour to the left one.
@@ -77,19 +82,24 @@ internal class Collapser(
             merged.newtonStep()
             merged.newtonStep()
             after = merged.minQuality(merged.x, merged.y)
+            sumAfter = merged.sumQuality(merged.x, merged.y)
         } else {
             merged.x = mesh.xy[2 * m]
             merged.y = mesh.xy[2 * m + 1]
             var least = 2.0
+            var sum = 0.0
             for (i in 0..count - 3) {
                 val q = TriangleQuality.shape(
                     merged.x, merged.y, merged.xy[2 * i], merged.xy[2 * i + 1], merged.xy[2 * i + 2], merged.xy[2 * i + 3],
                 )
                 if (q < least) least = q
+                sum += q
             }
+            sumAfter = sum
             after = least
         }
         if (after < Star.SURELY_POSITIVE || !(after >= before || after > LEAST_QUALITY && after > LEAST_SHARE * before)) return false
+        if (sumAfter / (countBefore - 2) < sumBefore / countBefore - SLACK) return false
         for (k in 0 until merged.count) {
             val i = merged.ring[k]
             if (Math.hypot(merged.xy[2 * k] - merged.x, merged.xy[2 * k + 1] - merged.y) > LONGEST * 0.5 * (mesh.sizes[i] + mesh.sizes[m])) return false
@@ -113,8 +123,10 @@ internal class Collapser(
 
     companion object {
         private const val EQUAL = 1e-9
-        private const val LEAST_QUALITY = 0.35
-        private const val LEAST_SHARE = 0.6
+        @JvmField var LEAST_QUALITY = 0.7
+        @JvmField var LEAST_SHARE = 0.9
+
+        @JvmField var SLACK = 0.015
 
         /** No edge may grow beyond this times its size. */
         private const val LONGEST = 1.6

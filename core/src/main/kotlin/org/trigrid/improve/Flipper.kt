@@ -113,7 +113,7 @@ internal class Flipper(
         private const val EQUAL = 1e-9
 
         /** A flip for the valences' sake may lower the quality, but not below these. */
-        private const val LEAST_QUALITY = 0.35
-        private const val LEAST_SHARE = 0.6
+        @JvmField var LEAST_QUALITY = 0.35
+        @JvmField var LEAST_SHARE = 0.6
     }
 }

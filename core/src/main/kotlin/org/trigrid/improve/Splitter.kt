@@ -73,6 +73,8 @@ internal class Splitter(
         }
         val after = minOf(near.minQuality(near.x, near.y), far.minQuality(far.x, far.y))
         if (after < Star.SURELY_POSITIVE || !(after >= before || after > LEAST_QUALITY && after > LEAST_SHARE * before)) return false
+        val sumAfter = near.sumQuality(near.x, near.y) + far.sumQuality(far.x, far.y) - near.quality(near.count - 1) - near.quality(near.count - 2)
+        if (sumAfter / (d + 2) < star.sumQuality(star.x, star.y) / d - SLACK) return false
         val middle = star.ring[(first + span / 2) % d]
         var h = connectivity.outgoing[node]
         while (mesh.elements[next(h)] != middle) h = mesh.twins[previous(h)]
@@ -111,8 +113,9 @@ internal class Splitter(
 
     companion object {
         private const val EQUAL = 1e-9
-        private const val LEAST_QUALITY = 0.35
-        private const val LEAST_SHARE = 0.6
+        @JvmField var LEAST_QUALITY = 0.7
+        @JvmField var LEAST_SHARE = 0.9
+        @JvmField var SLACK = 0.015
         @JvmField var LENGTH_WEIGHT = 4.0
         @JvmField var LENGTH_PIVOT = 1.0
     }

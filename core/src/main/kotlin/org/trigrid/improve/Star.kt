@@ -106,6 +106,16 @@ internal class Star {
         return least
     }
 
+    /** q of the element between the place and ring edge [i]. */
+    fun quality(i: Int): Double = TriangleQuality.shape(x, y, xy[2 * i], xy[2 * i + 1], xy[2 * i + 2], xy[2 * i + 3])
+
+    /** Sum of q of the elements around the place. */
+    fun sumQuality(px: Double, py: Double): Double {
+        var sum = 0.0
+        for (i in 0 until count) sum += TriangleQuality.shape(px, py, xy[2 * i], xy[2 * i + 1], xy[2 * i + 2], xy[2 * i + 3])
+        return sum
+    }
+
     /** Sum of 1/q, up to a constant factor, around ([px], [py]); infinite where an element is not surely positive. */
     fun inverseQuality(px: Double, py: Double): Double {
         var sum = 0.0
