@@ -1,87 +1,81 @@
 package org.trigrid.improve
 
 import org.trigrid.mesh.MutableMesh
-import org.trigrid.spacing.SizeField
 
-/** Turns the raw mesh of the front into a good one. */
+/**
+ * Turns the raw mesh of the front into a good one: rounds of surgery led by the valences with smoothing in between,
+ * trials led by the quality, and a care for the worst elements at the end.
+ *
+ * Fixed nodes, boundary segments and embedded ones stay as they are; every element stays positive. The sizes at the
+ * mesh's nodes steer lengths and count. Deterministic, and blind to the scale of the coordinates.
+ */
 internal class MeshImprover(
     private val mesh: MutableMesh,
-    @Suppress("unused") private val sizes: SizeField?,
-    private val tolerance: Double,
+    /** Smoothing takes a move below this part of the node's size for none. */
+    tolerance: Double,
 ) {
-    fun run(progress: (Double) -> Unit) {
-        var t0 = now()
-        val connectivity = Connectivity(mesh)
-        val ideal = IdealValence(mesh)
-        val changes = Changes(mesh)
-        val flipper = Flipper(connectivity, ideal, changes)
-        val collapser = Collapser(connectivity, ideal, changes, flipper)
-        val splitter = Splitter(connectivity, ideal, changes, flipper)
-        val smoother = Smoother(connectivity, changes, tolerance)
-        changes.touchAll()
-        t0 = lap(0, t0)
-        flipper.pushAll()
-        flipper.run()
-        t0 = lap(1, t0)
-        for (round in 0 until ROUNDS) {
-            for (n in mesh.fixedNodeCount until mesh.nodeCount) {
-                if (connectivity.outgoing[n] < 0 || !changes.take(n, Changes.SURGERY)) continue
-                if (collapser.tryNode(n) || splitter.tryNode(n)) flipper.run()
-            }
-            t0 = lap(2, t0)
-            for (sweep in 0 until SWEEPS) if (smoother.sweep() == 0) break
-            t0 = lap(3, t0)
-            flipper.pushAll()
-            flipper.run()
-            t0 = lap(4, t0)
-            progress(0.9 * (round + 1) / ROUNDS)
-        }
-        if (TRIALS > 0) {
-            val trial = Trial(connectivity, ideal, changes)
-            for (k in 0 until TRIALS) {
-                trial.pass()
-                t0 = lap(5, t0)
-                smoother.sweep()
-                t0 = lap(6, t0)
-            }
-            tried += trial.tried
-            done += trial.done
-        }
-        flipper.byQuality = true
-        flipper.pushAll()
-        flipper.run()
-        t0 = lap(7, t0)
-        for (sweep in 0 until LAST_SWEEPS) if (smoother.sweep() == 0) break
-        t0 = lap(8, t0)
-        flipper.pushAll()
-        flipper.run()
-        t0 = lap(7, t0)
-        for (sweep in 0 until LAST_SWEEPS) if (smoother.sweep() == 0) break
-        t0 = lap(8, t0)
-        for (round in 0 until WORST) {
-            smoother.worst(WORST_Q, WORST_SWEEPS)
-            flipper.pushAll()
-            if (flipper.run() == 0) break
-        }
-        t0 = lap(9, t0)
-        mesh.compact()
-        t0 = lap(0, t0)
-        progress(1.0)
-    }
-    private fun now() = System.nanoTime()
-    private fun lap(i: Int, from: Long): Long { val t = now(); laps[i] += t - from; return t }
+    private val connectivity = Connectivity(mesh)
+    private val changes = Changes(mesh)
+    private val ideal = IdealValence(mesh)
+    private val flipper = Flipper(connectivity, ideal, changes)
+    private val collapser = Collapser(connectivity, ideal, changes, flipper)
+    private val splitter = Splitter(connectivity, ideal, changes, flipper)
+    private val smoother = Smoother(connectivity, changes, tolerance)
+    private val trials = PatchTrials(connectivity, ideal, changes, splitter)
+    private val worst = WorstSmoother(connectivity, changes, tolerance)
 
-    companion object {
-        @JvmField val laps = LongArray(10)
-        val names = listOf("init", "flip0", "surgery", "smooth", "reflip", "trial", "tsmooth", "qflip", "lastsm", "worst")
-        @JvmField var TRIALS = 2
-        @JvmField var tried = 0
-        @JvmField var done = 0
-        @JvmField var ROUNDS = 4
-        @JvmField var SWEEPS = 3
-        @JvmField var LAST_SWEEPS = 5
-        @JvmField var WORST = 3
-        @JvmField var WORST_SWEEPS = 6
-        @JvmField var WORST_Q = 0.85
+    /** Improves the mesh and compacts it. [report] hears of the progress, from 0 to 1, and may throw to end the work. */
+    fun run(report: (Double) -> Unit) {
+        val progress = ImproveProgress(report)
+        progress.stage(0.05)
+        changes.touchAll()
+        flipper.runAll()
+        for (round in 0 until ROUNDS) mendValences(progress)
+        for (round in 0 until TRIALS) tryPatches(progress)
+        flipper.byQuality = true
+        for (round in 0 until LAST_ROUNDS) {
+            progress.stage(0.05)
+            flipper.runAll()
+            smoother.sweeps(LAST_SWEEPS, progress)
+        }
+        for (round in 0 until WORST_ROUNDS) {
+            progress.stage(0.03)
+            worst.run(progress)
+            flipper.runAll()
+        }
+        mesh.compact()
+        progress.finish()
+    }
+
+    private fun mendValences(progress: ImproveProgress) {
+        progress.stage(0.05)
+        val count = mesh.nodeCount
+        for (n in mesh.fixedNodeCount until count) {
+            progress.tick(n, count)
+            if (connectivity.outgoing[n] < 0 || !changes.take(n, Changes.SURGERY)) continue
+            if (collapser.tryNode(n) || splitter.tryNode(n)) flipper.run()
+        }
+        progress.stage(0.05)
+        smoother.sweeps(SWEEPS, progress)
+        flipper.runAll()
+    }
+
+    private fun tryPatches(progress: ImproveProgress) {
+        changes.beginTrials()
+        progress.stage(0.08)
+        trials.tryLengths(progress)
+        progress.stage(0.06)
+        trials.tryFlips(progress)
+        progress.stage(0.02)
+        smoother.sweep(progress)
+    }
+
+    private companion object {
+        const val ROUNDS = 4
+        const val SWEEPS = 3
+        const val TRIALS = 2
+        const val LAST_ROUNDS = 2
+        const val LAST_SWEEPS = 5
+        const val WORST_ROUNDS = 3
     }
 }
