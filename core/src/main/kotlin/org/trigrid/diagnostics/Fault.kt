@@ -47,4 +47,7 @@ public enum class FaultKind {
 
     /** A loop with fewer than three nodes, or no area at all. */
     DEGENERATE_LOOP,
+
+    /** An embedded segment lies outside of the domain. */
+    EMBEDDED_OUTSIDE,
 }

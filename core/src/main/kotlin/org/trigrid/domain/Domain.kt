@@ -31,6 +31,7 @@ public class Domain internal constructor(
     /** First segment of each loop, and [boundaryCount] at the end. */
     private val loopStarts: IntArray = DomainLoops(segments, boundaryCount).starts
 
+    /** Boundary nodes and nodes of embedded segments. */
     @get:JvmName("nodeCount")
     public val nodeCount: Int get() = xy.size / 2
 
@@ -42,17 +43,22 @@ public class Domain internal constructor(
     @get:JvmName("loopCount")
     public val loopCount: Int get() = loopStarts.size - 1
 
+    /** In the unit of the coordinates, bit for bit as given. */
     public fun x(node: Int): Double = xy[2 * node]
 
+    /** In the unit of the coordinates, bit for bit as given. */
     public fun y(node: Int): Double = xy[2 * node + 1]
 
+    /** The node from which the segment runs. */
     public fun segmentStart(segment: Int): Int = segments[2 * segment]
 
+    /** The node to which the segment runs. */
     public fun segmentEnd(segment: Int): Int = segments[2 * segment + 1]
 
     /** Index into [tags] of the segment's group. */
     public fun segmentTag(segment: Int): Int = segmentTags[segment]
 
+    /** Whether the domain lies on both sides of the segment. */
     public fun isEmbedded(segment: Int): Boolean = embedded[segment]
 
     /** The loop's first segment; its others follow, up to the next loop's first. `loopStart(loopCount)` ends the last loop. */
@@ -72,6 +78,17 @@ public class Domain internal constructor(
 
     /** x0, y0, x1, y1, …; a copy. */
     public fun nodeCoordinates(): DoubleArray = xy.copyOf()
+
+    /**
+     * The same outline with new nodes: each segment is a straight line whose length l is split into
+     * n = max(1, round(l / [spacing])) intervals, their lengths in arithmetic progression along the segment. The nodes of this
+     * domain keep their places and numbers.
+     *
+     * @param spacing wanted length of segments, in the unit of the coordinates.
+     * @param ratio of a segment's last interval to its first; 1 for equal ones.
+     * @throws org.trigrid.diagnostics.InvalidShapeException unless both are finite and above 0 and the nodes can be numbered.
+     */
+    public fun respaced(spacing: Double, ratio: Double): Domain = Respacing(this, spacing, ratio).respaced()
 
     public companion object {
         /** Collects loops, holes and embedded lines. */

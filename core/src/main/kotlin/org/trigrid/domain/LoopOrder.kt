@@ -81,8 +81,11 @@ internal class LoopOrder(
     private fun turnsMoreLeft(node: Int, from: Int, a: Int, b: Int): Boolean {
         val endA = segments[2 * a + 1]
         val endB = segments[2 * b + 1]
+        if (!isFinite(node) || !isFinite(from) || !isFinite(endA) || !isFinite(endB)) return false
         val aBefore = directions.compare(node, endA, from) < 0
         val bBefore = directions.compare(node, endB, from) < 0
         return if (aBefore != bBefore) aBefore else directions.compare(node, endA, endB) > 0
     }
+
+    private fun isFinite(node: Int) = xy[2 * node].isFinite() && xy[2 * node + 1].isFinite()
 }

@@ -3,7 +3,7 @@ package org.trigrid.front
 import org.trigrid.mesh.MutableMesh
 
 /**
- * The order in which base edges are taken: short ones first by half octaves of their length, within these by layer,
+ * The order in which base edges are taken: short ones first by octaves of their length, within these by layer,
  * within a layer by the smaller of the angles at the edge's ends. Refused edges come after all others.
  */
 internal class FrontKeys(private val mesh: MutableMesh, private val front: Front) {
@@ -39,9 +39,8 @@ internal class FrontKeys(private val mesh: MutableMesh, private val front: Front
         val b = 2 * front.destination(edge)
         val dx = xy[b] - xy[a]
         val dy = xy[b + 1] - xy[a + 1]
-        // The exponent of the squared length counts half octaves, and shifts by 2 when a domain is doubled.
-        val e = Math.getExponent(dx * dx + dy * dy)
-        return if (Tune.order == 1) e shr 1 else e
+        // Half of the squared length's exponent: scaling a domain by a power of two shifts all classes alike.
+        return Math.getExponent(dx * dx + dy * dy) shr 1
     }
 
     /** Angle inside the domain at the origin of [edge], grown monotonically to 0..4 for 0..360 degrees. */

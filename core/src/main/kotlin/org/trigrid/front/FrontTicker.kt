@@ -5,16 +5,13 @@ import org.trigrid.diagnostics.ProgressMonitor
 import org.trigrid.diagnostics.Stage
 
 /** Tells the monitor how far the front has come, every few thousand elements, and ends the run when it says so. */
-internal class FrontTicker(private val monitor: ProgressMonitor, private val expectedElements: Double, private val from: Double, private val to: Double) {
+internal class FrontTicker(private val monitor: ProgressMonitor, private val expectedElements: Double) {
     private var due = INTERVAL
-    private var told = from
 
     fun tick(elementCount: Int) {
         if (elementCount < due) return
         due = elementCount + INTERVAL
-        val done = Math.min(elementCount / expectedElements, 1.0)
-        told = Math.max(told, from + done * (to - from))
-        if (!monitor.update(Stage.FRONT, told)) throw MeshingCancelledException()
+        if (!monitor.update(Stage.FRONT, Math.min(elementCount / expectedElements, 1.0))) throw MeshingCancelledException()
     }
 
     private companion object {

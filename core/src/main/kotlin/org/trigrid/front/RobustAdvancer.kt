@@ -102,7 +102,7 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
                 free = d2 >= nodeClearance2 && distance2(px, py, qx, qy, xy[2 * v], xy[2 * v + 1]) >= edgeClearance2
             }
             if (d2 > reach2 || corner == ahead || corner == behind || q == a || q == b) continue
-            addCorner(corner, qx, qy, if (d2 < near2) PREFERENCE else 1.0)
+            addCorner(corner, qx, qy, if (d2 < near2) PREFERENCE else FAR_FACTOR)
         }
         collectEar(ahead, bx, by, ax, ay, near2, fails)
         if (behind != ahead) collectEar(behind, ax, ay, bx, by, near2, fails)
@@ -161,7 +161,7 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
 
     private companion object {
         /** Height over the base edge, in its length, at which the wanted size is asked. */
-        @JvmField val SAMPLE_HEIGHT = Tune.at
+        const val SAMPLE_HEIGHT = 0.6
 
         /** Bounds of the new sides, in the base edge's length. */
         const val SHORTEST_SIDE = 0.55
@@ -171,19 +171,25 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
         const val FLATTEST = 0.2
 
         /** How far from the ideal place nodes are looked for, in the wanted size, and how much farther later. */
-        @JvmField val REACH = Tune.reach
+        const val REACH = 0.85
         const val WIDER = 3.0
 
         /** A new node keeps these distances from front nodes and edges, in the wanted size. */
-        @JvmField val NODE_CLEARANCE = Tune.nodeClear
-        @JvmField val EDGE_CLEARANCE = Tune.edgeClear
+        const val NODE_CLEARANCE = 0.62
+        const val EDGE_CLEARANCE = 0.4
 
         /** Existing nodes are worth more where they lie this near to the ideal place, or close a sharp angle. */
-        @JvmField val PREFERENCE = Tune.bonus
-        @JvmField val NEAR_PLACE = Tune.bonusR
+        const val PREFERENCE = 1.15
+        const val NEAR_PLACE = 0.62
+
+        /**
+         * And less where they lie farther off: a strip of one and a half rows is better cut into two rows than
+         * spanned by one, since both are off by a factor of the square root of two.
+         */
+        const val FAR_FACTOR = 0.83
 
         /** A new node must be this much better than an existing one to be made. */
-        @JvmField val NEW_NODE_FACTOR = Tune.pFactor
+        const val NEW_NODE_FACTOR = 0.78
 
         /** Cosines of about 100 and 80 degrees: neighbours are left alone above the first, preferred below the second. */
         const val WIDEST_EAR = -0.18

@@ -38,6 +38,10 @@ public class TriMesh internal constructor(
     @get:JvmName("taggedEdgeCount")
     public val taggedEdgeCount: Int get() = edges.size / 2
 
+    /** Nodes of kind [NodeKind.BOUNDARY]. */
+    @get:JvmName("boundaryNodeCount")
+    public val boundaryNodeCount: Int get() = kinds.count { it == NodeKind.BOUNDARY.code }
+
     public fun x(node: Int): Double = xy[2 * node]
 
     public fun y(node: Int): Double = xy[2 * node + 1]

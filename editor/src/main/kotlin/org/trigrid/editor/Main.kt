@@ -1,4 +1,10 @@
+@file:JvmName("Main")
+
 package org.trigrid.editor
 
-fun main() {
+import javafx.application.Application
+
+/** Opens the editor, with the file named first where there is one. */
+fun main(arguments: Array<String>) {
+    Application.launch(EditorApp::class.java, *arguments)
 }

@@ -1,0 +1,47 @@
+package org.trigrid.cli
+
+import org.trigrid.domain.DomainCheck
+import org.trigrid.project.DomainInputs
+import picocli.CommandLine.Command
+import picocli.CommandLine.Model.CommandSpec
+import picocli.CommandLine.Mixin
+import picocli.CommandLine.Parameters
+import picocli.CommandLine.Spec
+import java.nio.file.Path
+import java.util.concurrent.Callable
+
+/** Tells all that keeps a domain from being meshed. */
+@Command(
+    name = "check",
+    description = ["List everything that keeps a domain from being meshed, one line a fault, and mesh nothing."],
+    mixinStandardHelpOptions = true,
+    sortOptions = false,
+    footer = ["", "Example:", "  trigrid check coast.geojson", "", "Exit code 0 without faults, 3 with."],
+)
+internal class CheckCommand(private val session: Session) : Callable<Int> {
+    @Spec
+    lateinit var spec: CommandSpec
+
+    @Parameters(paramLabel = "IN", description = ["A project (.trigrid.json), GeoJSON, WKT or Triangle .poly file."])
+    lateinit var input: Path
+
+    @Mixin
+    lateinit var arguments: ExplodingArguments
+
+    override fun call(): Int {
+        val options = arguments.toOptions(spec.commandLine())
+        val lines = FaultLines(session.terminal.err, input.toString())
+        var isFaulty = false
+        for (given in InputFailure.naming(input) { DomainInputs.read(input, options) }) {
+            val domain = given.domain
+            val faults = DomainCheck.check(domain)
+            lines.print(faults)
+            if (faults.isEmpty()) {
+                lines.printWarnings(DomainCheck.warnings(domain))
+                session.terminal.out.println("$input: ${given.name}: ${domain.nodeCount} nodes, ${domain.loopCount} loops, no faults")
+            }
+            isFaulty = isFaulty || faults.isNotEmpty()
+        }
+        return if (isFaulty) ExitCodes.INVALID_DOMAIN else ExitCodes.DONE
+    }
+}

@@ -1,0 +1,12 @@
+package org.trigrid.cli
+
+import org.trigrid.io.MeshFormats
+import org.trigrid.mesh.TriMesh
+import java.nio.file.Path
+
+/** Tells mesh files from domain files and reads them. */
+internal object MeshInput {
+    fun isMesh(file: Path): Boolean = file.fileName.toString().lowercase().endsWith(".msh")
+
+    fun read(file: Path): TriMesh = InputFailure.naming(file) { MeshFormats.read(file) }
+}

@@ -1,0 +1,60 @@
+package org.trigrid.cli
+
+import org.trigrid.MeshOptions
+import org.trigrid.Sizes
+import org.trigrid.Strategy
+import org.trigrid.numbering.NumberingMethod
+import picocli.CommandLine
+import picocli.CommandLine.Option
+import picocli.CommandLine.ParameterException
+
+/** The options that say how to mesh; what is not given stays as the project file says, or at its default. */
+internal class MeshingArguments {
+    @Option(
+        names = ["--sizes"], paramLabel = "MODE",
+        description = [
+            "smooth: sizes run from the spacing of one boundary to that of the other. grade: they grow from the " +
+                "boundary as fast as the gradation lets them. Default: smooth.",
+        ],
+    )
+    var sizes: Sizes? = null
+
+    @Option(
+        names = ["--gradation"], paramLabel = "G",
+        description = ["Largest change of size per length, > 0. Default: 0.25. Small values make many elements."],
+    )
+    var gradation: Double? = null
+
+    @Option(names = ["--min-size"], paramLabel = "L", description = ["Smallest size of inner edges, >= 0. Default: 0."])
+    var minSize: Double? = null
+
+    @Option(names = ["--max-size"], paramLabel = "L", description = ["Largest size of inner edges, > 0. Default: none."])
+    var maxSize: Double? = null
+
+    @Option(
+        names = ["--strategy"], paramLabel = "NAME",
+        description = ["robust, or classic for the paper's own rules. Default: robust."],
+    )
+    var strategy: Strategy? = null
+
+    @Option(names = ["--no-improve"], description = ["Leave the elements as the front made them."])
+    var noImprove: Boolean = false
+
+    @Option(names = ["--no-renumber"], description = ["Leave the nodes in the order in which they were made."])
+    var noRenumber: Boolean = false
+
+    /** [base] with the options given laid over it; a value out of range is a usage error. */
+    fun over(base: MeshOptions, commandLine: CommandLine): MeshOptions = try {
+        val builder = base.toBuilder()
+        sizes?.let { builder.sizes(it) }
+        gradation?.let { builder.gradation(it) }
+        minSize?.let { builder.minSize(it) }
+        maxSize?.let { builder.maxSize(it) }
+        strategy?.let { builder.strategy(it) }
+        if (noImprove) builder.improve(false)
+        if (noRenumber) builder.numbering(NumberingMethod.NONE)
+        builder.build()
+    } catch (error: IllegalArgumentException) {
+        throw ParameterException(commandLine, error.message)
+    }
+}

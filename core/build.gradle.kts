@@ -1,0 +1,24 @@
+plugins {
+    alias(libs.plugins.kotlin.jvm)
+    alias(libs.plugins.kotlin.serialization)
+    `java-library`
+}
+
+kotlin {
+    explicitApi()
+}
+
+dependencies {
+    api(libs.kotlin.stdlib)
+    implementation(libs.kotlinx.serialization.core)
+    implementation(libs.kotlinx.serialization.json)
+    api(libs.jts.core)
+    implementation(libs.jts.io.common)
+    api(libs.ejml.ddense)
+    api(libs.ejml.dsparse)
+
+    testImplementation(libs.junit.jupiter)
+    testImplementation(libs.archunit)
+    testImplementation(libs.kotlin.metadata)
+    testRuntimeOnly(libs.junit.platform.launcher)
+}

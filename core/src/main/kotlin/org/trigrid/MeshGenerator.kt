@@ -1,0 +1,94 @@
+package org.trigrid
+
+import org.trigrid.diagnostics.InvalidDomainException
+import org.trigrid.diagnostics.MeshingCancelledException
+import org.trigrid.diagnostics.ProgressMonitor
+import org.trigrid.diagnostics.Stage
+import org.trigrid.diagnostics.TooManyElementsException
+import org.trigrid.domain.Domain
+import org.trigrid.domain.DomainCheck
+import org.trigrid.front.FrontMesher
+import org.trigrid.improve.MeshImprover
+import org.trigrid.mesh.MeshFreezer
+import org.trigrid.mesh.TriMesh
+import org.trigrid.numbering.NumberingMethod
+import org.trigrid.numbering.NumberingMetrics
+import org.trigrid.numbering.Numbering
+import org.trigrid.quality.QualityReport
+import org.trigrid.spacing.SizeFields
+
+/**
+ * Makes meshes: checks the domain, finds the sizes, advances the front, improves the mesh and renumbers its nodes.
+ *
+ * Guarantee: every valid domain gets a valid mesh, in which each given node and segment stands exactly as given and no
+ * other node lies on the boundary. The same input gives the same mesh, to the last bit, on every machine.
+ * Exception: a domain whose sizes ask for more elements than [MeshOptions.maxElements] is refused before meshing.
+ *
+ * Stateless and free to be called by several threads at once.
+ */
+public object MeshGenerator {
+    /** As the other, with default options and nobody listening. */
+    @JvmStatic
+    public fun generate(domain: Domain): MeshResult = generate(domain, MeshOptions.DEFAULT)
+
+    /** As the other, with nobody listening. */
+    @JvmStatic
+    public fun generate(domain: Domain, options: MeshOptions): MeshResult = generate(domain, options, ProgressMonitor.NONE)
+
+    /**
+     * @param monitor hears of the progress and may cancel.
+     * @throws InvalidDomainException if the domain has faults; carries all of them with their places.
+     * @throws TooManyElementsException if the sizes ask for more elements than the options allow.
+     * @throws MeshingCancelledException if the monitor cancels.
+     */
+    @JvmStatic
+    public fun generate(domain: Domain, options: MeshOptions, monitor: ProgressMonitor): MeshResult {
+        val run = StageClock(monitor)
+        run.begin(Stage.CHECK)
+        val faults = DomainCheck.check(domain)
+        if (faults.isNotEmpty()) throw InvalidDomainException(faults)
+
+        run.begin(Stage.SIZES)
+        val sizes = SizeFields.create(domain, options)
+        val expected = expectedElements(domain)
+        if (expected > options.maxElements) throw TooManyElementsException(tooMany(expected, options))
+
+        run.begin(Stage.FRONT)
+        val raw = FrontMesher.mesh(domain, sizes, options.strategy, expected, run)
+
+        run.begin(Stage.IMPROVE)
+        if (options.improve) {
+            MeshImprover(raw.mesh, sizes, options.smoothingTolerance).run { if (!run.update(Stage.IMPROVE, it)) throw MeshingCancelledException() }
+        }
+        val made = MeshFreezer.freeze(raw.mesh, domain)
+
+        run.begin(Stage.RENUMBER)
+        val before = NumberingMetrics.of(made)
+        val mesh = renumber(made, options.numbering)
+        val after = if (mesh === made) before else NumberingMetrics.of(mesh)
+        run.end()
+
+        val report = MeshReport(
+            mesh.nodeCount, mesh.elementCount, mesh.boundaryNodeCount, domain.loopCount, expected, raw.fallbacks,
+            QualityReport.of(mesh), before, after, run.seconds,
+        )
+        return MeshResult(mesh, report)
+    }
+
+    private fun renumber(mesh: TriMesh, method: NumberingMethod): TriMesh =
+        if (method == NumberingMethod.NONE) mesh else Numbering.renumber(mesh, method)
+
+    private fun expectedElements(domain: Domain): Double {
+        val h = SizeFields.nodeSizes(domain).average()
+        return 2.31 * domain.area / (h * h)
+    }
+
+    private fun tooMany(expected: Double, options: MeshOptions): String {
+        val megabytes = expected * BYTES_PER_ELEMENT / 1e6
+        return "this domain needs about %.3g elements and %.0f MB, the limit is %d elements; raise maxElements or the sizes"
+            .format(java.util.Locale.ROOT, expected, megabytes, options.maxElements)
+    }
+
+    /** Peak memory of the mesher for each element, measured; rounded up. */
+    private const val BYTES_PER_ELEMENT = 200.0
+}

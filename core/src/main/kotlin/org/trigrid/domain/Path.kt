@@ -1,0 +1,206 @@
+package org.trigrid.domain
+
+import org.trigrid.diagnostics.InvalidDomainException
+import org.trigrid.geometry.Point2
+import org.trigrid.shape.Line
+import org.trigrid.shape.Shape
+
+/**
+ * The paper's completed domain: shapes one after the other, each exploded at once to nodes at the path's end.
+ *
+ * A shape whose first point is the path's end shares that node; else a straight step bridges the gap, or, where the
+ * walk so far is closed, the shape begins another loop. An opening is joined to the walk by a connector, a line
+ * travelled there and back ([appendConnector], [back], or [appendOpening]), or stands by itself as a loop ([newLoop]).
+ *
+ * Nodes have serial numbers from 0 in the order in which they were made; each stands for one place, so a node that the
+ * walk passes twice has one number. Nodes can be moved, deleted and inserted; a shape is linked to its nodes until one
+ * of them is edited, and [rebuild] links it again.
+ *
+ * Immutable: every change returns another path, which shares what has not changed, so snapshots cost little.
+ */
+public class Path private constructor(internal val steps: List<PathStep>) {
+    private val replay: PathReplay by lazy(LazyThreadSafetyMode.PUBLICATION) { PathReplay(steps) }
+    private val appended: List<AppendStep> = steps.filterIsInstance<AppendStep>()
+
+    /** Appends a shape. @throws org.trigrid.diagnostics.InvalidShapeException if it cannot be exploded. */
+    public fun append(shape: Shape): Path = plus(AppendStep(shape, false))
+
+    /** Appends a line that will be travelled [back], so that what is appended between hangs on it. */
+    public fun appendConnector(line: Line): Path = plus(AppendStep(line, true))
+
+    /**
+     * Travels the last connector back to where it began.
+     *
+     * @throws IllegalStateException if no connector is to be travelled back.
+     */
+    public fun back(): Path {
+        check(replay.openConnectorCount > 0) { "there is no connector to travel back" }
+        return plus(BackStep)
+    }
+
+    /** A connector, a closed shape at its end, and the connector back. */
+    public fun appendOpening(connector: Line, shape: Shape): Path = appendConnector(connector).append(shape).back()
+
+    /**
+     * Ends the walk, so that the next shape begins a loop of its own. Whether such a loop bounds the domain from outside
+     * or is an opening is found from what lies in what, whatever its direction.
+     */
+    public fun newLoop(): Path = plus(NewLoopStep)
+
+    /** Closes the walk by a line from its end to its first node; the same path if it is closed. */
+    public fun close(spacing: Double): Path {
+        val walk = walks().lastOrNull()
+        if (walk == null || walk.isClosed) return this
+        val nodes = walk.nodes()
+        return append(Line(node(nodes.last()), node(nodes.first()), spacing))
+    }
+
+    /** Shapes appended, connectors among them. */
+    @get:JvmName("shapeCount")
+    public val shapeCount: Int get() = appended.size
+
+    /** The shape with the given number, 0-based in the order of appending. */
+    public fun shape(shape: Int): Shape = appended[shape].shape
+
+    /** Whether the shape is a connector. */
+    public fun isConnector(shape: Int): Boolean = appended[shape].isConnector
+
+    /** Whether the shape's nodes are as it was exploded: none was moved, deleted or inserted. */
+    public fun isLinked(shape: Int): Boolean = replay.touched.none { shape in it }
+
+    /** Nodes along the shape's steps, in the order of travel, each once; ascending only as long as nothing was edited. */
+    public fun nodesOf(shape: Int): IntArray {
+        val nodes = LinkedHashSet<Int>()
+        for (walk in replay.walks) {
+            for ((i, leg) in walk.legs.withIndex()) {
+                if (leg.shape != shape) continue
+                nodes.add(walk.nodes[i].number)
+                nodes.add(walk.nodes[i + 1].number)
+            }
+        }
+        return nodes.toIntArray()
+    }
+
+    /** Another shape in place of one; edits of that one's nodes are dropped. */
+    public fun replaceShape(shape: Int, by: Shape): Path {
+        val index = indexOf(shape)
+        val step = AppendStep(by, appended[shape].isConnector)
+        return Path(PathHistory.withoutEdits(steps, replay, shape, mapOf(index to step)))
+    }
+
+    /** The path without a shape, its way back if it is a connector, and the edits of its nodes. */
+    public fun removeShape(shape: Int): Path {
+        indexOf(shape)
+        return Path(PathHistory.withoutShape(steps, replay, shape))
+    }
+
+    /** Drops the edits of the shape's nodes, those it shares with its neighbours among them: it is linked again. */
+    public fun rebuild(shape: Int): Path {
+        indexOf(shape)
+        return Path(PathHistory.withoutEdits(steps, replay, shape, emptyMap()))
+    }
+
+    @get:JvmName("nodeCount")
+    public val nodeCount: Int get() = replay.nodes.size
+
+    public fun x(node: Int): Double = replay.nodes[node].x
+
+    public fun y(node: Int): Double = replay.nodes[node].y
+
+    /** The place of a node. */
+    public fun node(node: Int): Point2 = Point2(x(node), y(node))
+
+    /** The places of all nodes, by serial number. */
+    public fun nodes(): List<Point2> = java.util.List.copyOf(replay.nodes.map { Point2(it.x, it.y) })
+
+    /** x0, y0, x1, y1, …; a copy. */
+    public fun nodeCoordinates(): DoubleArray =
+        DoubleArray(2 * nodeCount) { if (it % 2 == 0) replay.nodes[it / 2].x else replay.nodes[it / 2].y }
+
+    /** Where the next shape is to begin, or null for an empty path. */
+    public fun end(): Point2? = replay.lastNode?.let { Point2(it.x, it.y) }
+
+    /** The walks over the nodes: one for each loop, and those that came off when a node was moved onto another. */
+    public fun walks(): List<PathWalk> = java.util.List.copyOf(
+        replay.walks.map { walk ->
+            val count = if (walk.isClosed) walk.nodes.size - 1 else walk.nodes.size
+            val numbers = IntArray(count) { walk.nodes[it].number }
+            val shapes = IntArray(walk.legs.size) { walk.legs[it].shape }
+            PathWalk(numbers, walk.legs.map { it.tag }, shapes, walk.isClosed, walk.group)
+        },
+    )
+
+    /**
+     * Moves a node. Moved onto another, the one of the two with the higher serial number is removed, later numbers fall
+     * by one, and a walk that thereby passes one place twice falls apart there.
+     *
+     * @throws IndexOutOfBoundsException if there is no such node.
+     * @throws IllegalArgumentException if a coordinate is not a number.
+     */
+    public fun moveNode(node: Int, x: Double, y: Double): Path {
+        requireNumbers(x, y)
+        val move = MoveStep(key(node), x, y)
+        val last = steps.lastOrNull()
+        val replacesLast = last is MoveStep && last.node == move.node && steps.size - 1 !in replay.merging
+        return if (replacesLast) Path(steps.dropLast(1) + move) else plus(move)
+    }
+
+    /** Deletes a node; its neighbours are joined by a straight step, later numbers fall by one. */
+    public fun deleteNode(node: Int): Path = plus(DeleteStep(key(node)))
+
+    /**
+     * Inserts a node between two neighbours of a walk; it gets the number after [from], later numbers rise by one.
+     *
+     * @throws IllegalArgumentException if the nodes are no neighbours, or a coordinate is not a number.
+     */
+    public fun insertNode(from: Int, to: Int, x: Double, y: Double): Path {
+        requireNumbers(x, y)
+        val number = steps.count { it is InsertStep }.let { count ->
+            maxOf(count, 1 + (steps.filterIsInstance<InsertStep>().maxOfOrNull { it.node.ordinal } ?: -1))
+        }
+        val path = plus(InsertStep(NodeKey(NodeKey.INSERTED, number), key(from), key(to), x, y))
+        require(path.replay.undone.isEmpty()) { "nodes $from and $to are not neighbours" }
+        return path
+    }
+
+    /** The domain, with connectors dropped and the region called "domain". */
+    public fun toDomain(): Domain = toDomain(false)
+
+    public fun toDomain(keepConnectors: Boolean): Domain = toDomain(keepConnectors, "domain")
+
+    /**
+     * The domain: where the walk winds round once its outer part is taken anticlockwise. A shape that is travelled as
+     * the outer boundary is lies in the domain, one travelled against it is left out.
+     *
+     * @param keepConnectors whether connectors become edges of the mesh; else they only join the walk.
+     * @throws InvalidDomainException if a walk is not closed. Other faults are left to [DomainCheck].
+     */
+    public fun toDomain(keepConnectors: Boolean, regionName: String): Domain =
+        PathDomain(nodeCoordinates(), walks()).make(keepConnectors, regionName)
+
+    private fun plus(step: PathStep): Path = Path(steps + step)
+
+    private fun key(node: Int): NodeKey = replay.nodes[node].key
+
+    private fun indexOf(shape: Int): Int = steps.indexOf(appended[shape])
+
+    private fun requireNumbers(x: Double, y: Double) =
+        require(x.isFinite() && y.isFinite()) { "coordinates must be numbers, not $x, $y" }
+
+    /** Steps that cannot be done, by their index; a path made by this class has none. */
+    internal fun undoneSteps(): List<Int> = replay.undone
+
+    public companion object {
+        /** Tag of the segments of shapes without a name. */
+        public const val UNNAMED_TAG: String = "boundary"
+
+        @JvmField
+        public val EMPTY: Path = Path(emptyList())
+
+        /** Shapes appended in order. */
+        @JvmStatic
+        public fun of(vararg shapes: Shape): Path = Path(shapes.map { AppendStep(it, false) })
+
+        internal fun ofSteps(steps: List<PathStep>): Path = Path(java.util.List.copyOf(steps))
+    }
+}

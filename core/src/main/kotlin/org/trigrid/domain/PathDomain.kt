@@ -1,0 +1,69 @@
+package org.trigrid.domain
+
+import org.trigrid.diagnostics.Fault
+import org.trigrid.diagnostics.FaultKind
+import org.trigrid.diagnostics.InvalidDomainException
+
+/** Makes a [Domain] of a path's nodes and walks. */
+internal class PathDomain(private val xy: DoubleArray, private val walks: List<PathWalk>) {
+    private val nodes = walks.map { it.nodes() }
+
+    fun make(keepConnectors: Boolean, regionName: String): Domain {
+        requireClosed()
+        val numbers = LinkedHashMap<String, Int>()
+        val stepTags = walks.map { walk ->
+            IntArray(walk.stepCount) { numbers.getOrPut(walk.tag(it)) { numbers.size } }
+        }
+        val turned = turnedGroups()
+        val directed = walks.indices.map { if (walks[it].group in turned) nodes[it].reversedArray() else nodes[it] }
+        val directedTags = walks.indices.map { if (walks[it].group in turned) turnedTags(stepTags[it]) else stepTags[it] }
+        return Domain.fromWalks(xy, directed, directedTags, numbers.keys.toList(), regionName, keepConnectors)
+    }
+
+    private fun requireClosed() {
+        val faults = walks.indices.filter { !walks[it].isClosed }.map { openWalk(nodes[it]) }
+        if (faults.isNotEmpty()) throw InvalidDomainException(faults)
+    }
+
+    private fun openWalk(nodes: IntArray): Fault {
+        val first = nodes.first()
+        val last = nodes.last()
+        val message = "the walk from node $first at ${place(first)} ends at node $last at ${place(last)}"
+        return Fault(FaultKind.OPEN_WALK, message, xy[2 * last], xy[2 * last + 1], intArrayOf(first, last))
+    }
+
+    private fun place(node: Int): String = "(${xy[2 * node]}, ${xy[2 * node + 1]})"
+
+    /**
+     * Loops that are to be travelled the other way. Loops not joined to one another may run in any direction: each is
+     * taken anticlockwise, or clockwise where it lies inside an odd number of others. Walks that came off one walk keep
+     * their directions to each other, which say what is in and what is out.
+     */
+    private fun turnedGroups(): Set<Int> {
+        val groups = walks.indices.groupBy { walks[it].group }
+        val nesting = LoopNesting(xy, nodes)
+        val turned = HashSet<Int>()
+        for ((group, members) in groups) {
+            val main = nesting.fromLargest().first { it in members }
+            val wanted = if (depth(nesting, main, members) % 2 == 0) 1 else -1
+            if (nesting.areaSign(main) == -wanted) turned.add(group)
+        }
+        return turned
+    }
+
+    private fun depth(nesting: LoopNesting, walk: Int, group: List<Int>): Int {
+        var depth = 0
+        var parent = nesting.parentOf(walk)
+        while (parent >= 0) {
+            if (parent !in group) depth++
+            parent = nesting.parentOf(parent)
+        }
+        return depth
+    }
+
+    /** Tags of the reversed walk's steps: its step i runs back along step n - 2 - i. */
+    private fun turnedTags(tags: IntArray): IntArray {
+        val n = tags.size
+        return IntArray(n) { tags[(2 * n - 2 - it) % n] }
+    }
+}

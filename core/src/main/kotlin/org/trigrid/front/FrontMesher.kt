@@ -1,0 +1,38 @@
+package org.trigrid.front
+
+import org.trigrid.Strategy
+import org.trigrid.diagnostics.ProgressMonitor
+import org.trigrid.domain.Domain
+import org.trigrid.mesh.MutableMesh
+import org.trigrid.spacing.SizeField
+
+/** Fills a valid domain with elements by the advancing front technique. */
+internal object FrontMesher {
+    /**
+     * @param expectedElements estimate that sizes the arrays, the progress and the bound on the work.
+     * @param monitor hears the stage FRONT from 0 to 1.
+     */
+    fun mesh(
+        domain: Domain,
+        sizes: SizeField,
+        strategy: Strategy,
+        expectedElements: Double,
+        monitor: ProgressMonitor,
+    ): FrontResult {
+        val state = FrontState(domain, sizes, expectedElements)
+        val ticker = FrontTicker(monitor, expectedElements)
+        val advancer = when (strategy) {
+            Strategy.CLASSIC -> ClassicAdvancer(domain, state, ticker)
+            Strategy.ROBUST -> RobustAdvancer(state, ticker)
+        }
+        advancer.run()
+        return FrontResult(state.mesh, advancer.fallbacks)
+    }
+}
+
+/** The raw mesh of the front. */
+internal class FrontResult(
+    val mesh: MutableMesh,
+    /** Elements made by the constrained-Delaunay way out. */
+    val fallbacks: Int,
+)

@@ -1,0 +1,98 @@
+package org.trigrid.geometry
+
+/**
+ * The order in which points are best inserted into a triangulation one by one: random rounds, each about twice as
+ * large as the one before, along a Hilbert curve within each round, so that successive points are near each other
+ * while no input order is a bad one (Amenta, Choi and Rote 2003, Proc. 19th Symp. Comput. Geom., 211-219).
+ *
+ * The "random" choice is a fixed hash of the point's number, so the order depends on the input alone.
+ */
+internal object InsertionOrder {
+    private const val BITS = 26
+    private const val DIGIT_BITS = 13
+    private const val SMALLEST_ROUND = 16
+
+    /** @param xy x0, y0, x1, y1, …; finite; not modified. Returns a permutation of the point numbers. */
+    @JvmStatic
+    fun of(xy: DoubleArray): IntArray = rounds(alongCurve(xy))
+
+    /** Point numbers along a Hilbert curve over the square round all points. */
+    @JvmStatic
+    fun alongCurve(xy: DoubleArray): IntArray {
+        val count = xy.size / 2
+        var minX = Double.POSITIVE_INFINITY
+        var minY = Double.POSITIVE_INFINITY
+        var maxX = Double.NEGATIVE_INFINITY
+        var maxY = Double.NEGATIVE_INFINITY
+        for (i in 0 until count) {
+            minX = Math.min(minX, xy[2 * i])
+            maxX = Math.max(maxX, xy[2 * i])
+            minY = Math.min(minY, xy[2 * i + 1])
+            maxY = Math.max(maxY, xy[2 * i + 1])
+        }
+        val extent = Math.max(maxX - minX, maxY - minY)
+        val scale = if (extent > 0) ((1 shl BITS) - 1) / extent else 0.0
+        val keys = LongArray(count) { i ->
+            curvePosition(((xy[2 * i] - minX) * scale).toInt(), ((xy[2 * i + 1] - minY) * scale).toInt())
+        }
+        return sortedByKey(keys)
+    }
+
+    private fun curvePosition(cellX: Int, cellY: Int): Long {
+        val mask = (1 shl BITS) - 1
+        var x = cellX
+        var y = cellY
+        var position = 0L
+        for (bit in BITS - 1 downTo 0) {
+            val right = (x ushr bit) and 1
+            val upper = (y ushr bit) and 1
+            position = (position shl 2) or ((3 * right) xor upper).toLong()
+            if (upper == 0) {
+                if (right == 1) {
+                    x = x xor mask
+                    y = y xor mask
+                }
+                val swap = x
+                x = y
+                y = swap
+            }
+        }
+        return position
+    }
+
+    /** Stable radix sort of the numbers 0..n-1 by their keys. */
+    private fun sortedByKey(keys: LongArray): IntArray {
+        val digits = 1 shl DIGIT_BITS
+        var order = IntArray(keys.size) { it }
+        var spare = IntArray(keys.size)
+        for (shift in 0 until 2 * BITS step DIGIT_BITS) {
+            val starts = IntArray(digits + 1)
+            for (key in keys) starts[((key ushr shift) and (digits - 1L)).toInt() + 1]++
+            for (d in 0 until digits) starts[d + 1] += starts[d]
+            for (i in order) spare[starts[((keys[i] ushr shift) and (digits - 1L)).toInt()]++] = i
+            val swap = order
+            order = spare
+            spare = swap
+        }
+        return order
+    }
+
+    private fun rounds(curve: IntArray): IntArray {
+        var last = 0
+        while ((curve.size ushr (last + 1)) >= SMALLEST_ROUND) last++
+        val starts = IntArray(last + 2)
+        for (i in curve) starts[round(i, last) + 1]++
+        for (r in 0..last) starts[r + 1] += starts[r]
+        val order = IntArray(curve.size)
+        for (i in curve) order[starts[round(i, last)]++] = i
+        return order
+    }
+
+    /** Round 0 comes first; half of all points are in round [last], a quarter in the one before, … */
+    private fun round(point: Int, last: Int): Int {
+        var hash = point * -1640531527 + 0x5bd1e995
+        hash = (hash xor (hash ushr 15)) * -2048144789
+        hash = (hash xor (hash ushr 13)) * -1028477379
+        return last - Math.min(last, Integer.numberOfTrailingZeros(hash xor (hash ushr 16)))
+    }
+}

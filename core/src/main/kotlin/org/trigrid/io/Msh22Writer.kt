@@ -1,0 +1,56 @@
+package org.trigrid.io
+
+import org.trigrid.mesh.TriMesh
+
+/**
+ * Gmsh's MSH 2.2, ASCII: the version that most solvers read. Nodes keep their order, each element is in exactly one
+ * group, lines have the domain on their left.
+ */
+internal object Msh22Writer {
+    fun write(mesh: TriMesh, text: TextBuffer) {
+        val groups = MshGroups(mesh)
+        text.line("\$MeshFormat").line("2.2 0 8").line("\$EndMeshFormat")
+        writeNames(groups, text)
+        text.line("\$Nodes").number(mesh.nodeCount).line()
+        for (node in 0 until mesh.nodeCount) {
+            text.number(node + 1).space().number(mesh.x(node)).space().number(mesh.y(node)).text(" 0\n")
+        }
+        text.line("\$EndNodes")
+        text.line("\$Elements").number(mesh.taggedEdgeCount + mesh.elementCount).line()
+        writeLines(mesh, groups, text)
+        writeTriangles(mesh, groups, text)
+        text.line("\$EndElements")
+    }
+
+    /** The same section in both versions. */
+    fun writeNames(groups: MshGroups, text: TextBuffer) {
+        text.line("\$PhysicalNames").number(groups.curveCount + 1).line()
+        for (i in 0 until groups.curveCount) {
+            text.text("1 ").number(i + 1).text(" \"").text(groups.curveNames[i]).text("\"\n")
+        }
+        text.text("2 ").number(groups.surfaceId).text(" \"").text(groups.surfaceName).text("\"\n")
+        text.line("\$EndPhysicalNames")
+    }
+
+    private fun writeLines(mesh: TriMesh, groups: MshGroups, text: TextBuffer) {
+        var id = 1
+        for (i in 0 until groups.curveCount) {
+            for (edge in 0 until mesh.taggedEdgeCount) {
+                if (mesh.edgeTag(edge) != groups.curveTags[i]) continue
+                text.number(id++).text(" 1 2 ").number(i + 1).space().number(i + 1)
+                text.space().number(mesh.edgeStart(edge) + 1).space().number(mesh.edgeEnd(edge) + 1).line()
+            }
+        }
+    }
+
+    private fun writeTriangles(mesh: TriMesh, groups: MshGroups, text: TextBuffer) {
+        val first = mesh.taggedEdgeCount + 1
+        val middle = " 2 2 ${groups.surfaceId} 1 "
+        for (element in 0 until mesh.elementCount) {
+            text.number(first + element).text(middle)
+            text.number(mesh.nodeOf(element, 0) + 1).space()
+            text.number(mesh.nodeOf(element, 1) + 1).space()
+            text.number(mesh.nodeOf(element, 2) + 1).line()
+        }
+    }
+}

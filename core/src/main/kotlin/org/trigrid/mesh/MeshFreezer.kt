@@ -1,0 +1,26 @@
+package org.trigrid.mesh
+
+import org.trigrid.domain.Domain
+
+/** Makes the immutable mesh of a finished [MutableMesh]. */
+internal object MeshFreezer {
+    /** @param domain whose nodes are the mesh's first nodes; gives the tagged edges, the embedded ones last. */
+    fun freeze(mesh: MutableMesh, domain: Domain): TriMesh {
+        val halfEdges = 3 * mesh.elementCount
+        val neighbours = IntArray(halfEdges) {
+            val twin = mesh.twins[it]
+            if (twin < 0) TriMesh.NONE else twin / 3
+        }
+        return TriMesh(
+            mesh.xy.copyOf(2 * mesh.nodeCount),
+            mesh.elements.copyOf(halfEdges),
+            neighbours,
+            TriMeshFactory.kinds(mesh.nodeCount, domain.segments, domain.boundaryCount),
+            domain.segments.copyOf(),
+            domain.segmentTags.copyOf(),
+            domain.boundaryCount,
+            domain.tags,
+            domain.regionName,
+        )
+    }
+}

@@ -1,0 +1,99 @@
+package org.trigrid.numbering
+
+/**
+ * Numbers a connected graph level by level from a set of roots (Cuthill and McKee 1969, Proc. 24th Nat. Conf. ACM,
+ * 157-172): the neighbours of the node numbered first, in order of their degree, then those of the second, and so on.
+ *
+ * One object serves many sweeps over the same graph without allocating.
+ */
+internal class CuthillMcKee(private val graph: NodeGraph) {
+    /** The nodes in the order of the last whole sweep. */
+    val order: IntArray = IntArray(graph.nodeCount)
+
+    /** Entries of [NodeGraph.targets] read so far: the measure of work. */
+    var work: Long = 0
+        private set
+
+    /** Where the last level of the last whole sweep starts in [order]. */
+    var lastLevel: Int = 0
+        private set
+
+    /** Levels of the last whole sweep, the roots' not counted. */
+    var depth: Int = 0
+        private set
+
+    private val seenIn = IntArray(graph.nodeCount)
+    private var sweep = 0
+
+    /**
+     * Sweeps from the nodes `roots[from], roots[from + 1], …`, [count] of them, read round the end of the array.
+     *
+     * @param limit the sweep ends as soon as its half-bandwidth is above this.
+     * @return the half-bandwidth of the order, or -1 if it is above the limit.
+     */
+    fun run(roots: IntArray, from: Int, count: Int, limit: Int): Int {
+        sweep++
+        var tail = 0
+        for (i in 0 until count) {
+            val root = roots[(from + i) % roots.size]
+            if (seenIn[root] == sweep) continue
+            seenIn[root] = sweep
+            order[tail++] = root
+        }
+        return grow(tail, limit)
+    }
+
+    private fun grow(rootCount: Int, limit: Int): Int {
+        val starts = graph.starts
+        val targets = graph.targets
+        var tail = rootCount
+        var levelEnd = rootCount
+        // The roots among themselves: they are few, and neighbours of the first is at most this far.
+        var widest = rootSpan(rootCount)
+        lastLevel = 0
+        depth = 0
+        var head = 0
+        while (head < tail) {
+            if (head == levelEnd) {
+                lastLevel = levelEnd
+                levelEnd = tail
+                depth++
+            }
+            val node = order[head]
+            val before = tail
+            for (k in starts[node] until starts[node + 1]) {
+                val next = targets[k]
+                if (seenIn[next] != sweep) {
+                    seenIn[next] = sweep
+                    order[tail++] = next
+                }
+            }
+            if (tail > before && tail - 1 - head > widest) {
+                widest = tail - 1 - head
+                if (widest > limit) {
+                    work += 6L * head + 6
+                    return -1
+                }
+            }
+            head++
+        }
+        work += targets.size
+        return if (widest > limit) -1 else widest
+    }
+
+    /** Largest difference of places of two neighbouring roots. */
+    private fun rootSpan(rootCount: Int): Int {
+        if (rootCount < 2) return 0
+        val place = java.util.HashMap<Int, Int>(2 * rootCount)
+        for (i in 0 until rootCount) place[order[i]] = i
+        var widest = 0
+        for (i in 0 until rootCount) {
+            val node = order[i]
+            for (k in graph.starts[node] until graph.starts[node + 1]) {
+                val j = place[graph.targets[k]] ?: continue
+                widest = maxOf(widest, j - i)
+            }
+        }
+        return widest
+    }
+}

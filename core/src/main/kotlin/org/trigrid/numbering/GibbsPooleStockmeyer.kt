@@ -1,0 +1,164 @@
+package org.trigrid.numbering
+
+/**
+ * Numbers a connected graph along the merged levels seen from its two ends (Gibbs, Poole and Stockmeyer 1976, SIAM J.
+ * Numer. Anal. 13:236-250).
+ *
+ * Departure: an end may be a set of nodes, such as one side of the domain, instead of a single node.
+ */
+internal class GibbsPooleStockmeyer(private val graph: NodeGraph) {
+    private val nodeCount = graph.nodeCount
+    private val fromFirst = IntArray(nodeCount)
+    private val fromSecond = IntArray(nodeCount)
+    private val queue = IntArray(nodeCount)
+
+    /** The merged level of each node, -1 while it is open. */
+    private val level = IntArray(nodeCount)
+    private var widths = IntArray(0)
+
+    /** Entries read so far, as [CuthillMcKee.work]. */
+    var work: Long = 0
+        private set
+
+    /** The nodes in the order found; valid after [run]. */
+    val order: IntArray = IntArray(nodeCount)
+
+    /**
+     * Finds an order from the two end sets; the levels run from the first to the second.
+     *
+     * @param limit no order is made when a level is wider than this: its half-bandwidth would hardly be lower.
+     * @return whether an order was made.
+     */
+    fun run(first: IntArray, second: IntArray, limit: Int): Boolean {
+        val depth = distances(first, fromFirst)
+        distances(second, fromSecond)
+        merge(depth)
+        work += 3L * graph.targets.size
+        if (widths.max() > limit) return false
+        number(depth)
+        work += 2L * graph.targets.size
+        return true
+    }
+
+    private fun distances(roots: IntArray, distance: IntArray): Int {
+        distance.fill(-1)
+        var tail = 0
+        for (root in roots) {
+            if (distance[root] == 0) continue
+            distance[root] = 0
+            queue[tail++] = root
+        }
+        var head = 0
+        while (head < tail) {
+            val node = queue[head++]
+            for (k in graph.starts[node] until graph.starts[node + 1]) {
+                val next = graph.targets[k]
+                if (distance[next] >= 0) continue
+                distance[next] = distance[node] + 1
+                queue[tail++] = next
+            }
+        }
+        return distance[queue[nodeCount - 1]]
+    }
+
+    /** Nodes on which both ends agree are settled; the others follow, part by part, the end that keeps levels narrow. */
+    private fun merge(depth: Int) {
+        widths = IntArray(depth + 1)
+        for (node in 0 until nodeCount) {
+            fromSecond[node] = (depth - fromSecond[node]).coerceIn(0, depth)
+            level[node] = if (fromFirst[node] == fromSecond[node]) fromFirst[node].also { widths[it]++ } else -1
+        }
+        val parts = openParts()
+        val byFirst = IntArray(depth + 1)
+        val bySecond = IntArray(depth + 1)
+        for (part in parts.sortedByDescending { it.size }) {
+            for (node in part) {
+                byFirst[fromFirst[node]]++
+                bySecond[fromSecond[node]]++
+            }
+            var widestFirst = 0
+            var widestSecond = 0
+            for (node in part) {
+                widestFirst = maxOf(widestFirst, widths[fromFirst[node]] + byFirst[fromFirst[node]])
+                widestSecond = maxOf(widestSecond, widths[fromSecond[node]] + bySecond[fromSecond[node]])
+            }
+            val chosen = if (widestSecond < widestFirst) fromSecond else fromFirst
+            for (node in part) {
+                byFirst[fromFirst[node]] = 0
+                bySecond[fromSecond[node]] = 0
+                level[node] = chosen[node]
+                widths[chosen[node]]++
+            }
+        }
+    }
+
+    private fun openParts(): List<IntArray> {
+        val parts = ArrayList<IntArray>()
+        for (seed in 0 until nodeCount) {
+            if (level[seed] != -1) continue
+            var tail = 0
+            queue[tail++] = seed
+            level[seed] = OPEN_AND_FOUND
+            var head = 0
+            while (head < tail) {
+                val node = queue[head++]
+                for (k in graph.starts[node] until graph.starts[node + 1]) {
+                    val next = graph.targets[k]
+                    if (level[next] != -1) continue
+                    level[next] = OPEN_AND_FOUND
+                    queue[tail++] = next
+                }
+            }
+            parts.add(queue.copyOf(tail))
+        }
+        return parts
+    }
+
+    private fun number(depth: Int) {
+        val nodes = nodesByLevel(depth)
+        val numbered = BooleanArray(nodeCount)
+        var tail = 0
+        var previous = 0
+        var at = 0
+        for (l in 0..depth) {
+            val levelStart = tail
+            val levelEnd = at + widths[l]
+            for (i in previous until levelStart) tail = take(order[i], l, tail, numbered)
+            var head = levelStart
+            while (tail < levelEnd) {
+                while (head < tail) tail = take(order[head++], l, tail, numbered)
+                if (tail == levelEnd) break
+                // Nothing in this level is next to what is numbered: its next node by degree starts again.
+                while (numbered[nodes[at]]) at++
+                numbered[nodes[at]] = true
+                order[tail++] = nodes[at]
+            }
+            previous = levelStart
+            at = levelEnd
+        }
+    }
+
+    private fun take(node: Int, l: Int, tail: Int, numbered: BooleanArray): Int {
+        var end = tail
+        for (k in graph.starts[node] until graph.starts[node + 1]) {
+            val next = graph.targets[k]
+            if (level[next] != l || numbered[next]) continue
+            numbered[next] = true
+            order[end++] = next
+        }
+        return end
+    }
+
+    /** Nodes sorted by level, then by degree. */
+    private fun nodesByLevel(depth: Int): IntArray {
+        val place = IntArray(depth + 2)
+        for (l in 0..depth) place[l + 1] = place[l] + widths[l]
+        val nodes = IntArray(nodeCount)
+        for (node in NodeGraph.nodesByDegree(graph.starts)) nodes[place[level[node]]++] = node
+        return nodes
+    }
+
+    private companion object {
+        const val OPEN_AND_FOUND = -2
+    }
+}

@@ -1,0 +1,110 @@
+package org.trigrid.numbering
+
+import org.trigrid.mesh.MeshTopology
+import org.trigrid.mesh.TriMesh
+
+/**
+ * Which nodes of a mesh share an element: the coefficient matrix' structure without its diagonal, in compressed rows.
+ *
+ * The neighbours of a node come in the order of their degree, ties by number: the order in which Cuthill and McKee
+ * number them. Immutable.
+ */
+public class NodeGraph private constructor(
+    /** Per node, where its neighbours start in [targets]; one entry more than nodes. */
+    internal val starts: IntArray,
+    internal val targets: IntArray,
+) {
+    @get:JvmName("nodeCount")
+    public val nodeCount: Int get() = starts.size - 1
+
+    @get:JvmName("edgeCount")
+    public val edgeCount: Int get() = targets.size / 2
+
+    /** Number of neighbours of [node]. */
+    public fun degree(node: Int): Int = starts[node + 1] - starts[node]
+
+    /** The neighbours of [node], lowest degree first. A new array. */
+    public fun neighbours(node: Int): IntArray = targets.copyOfRange(starts[node], starts[node + 1])
+
+    /** The connected part of this graph that has the nodes of [order], the node at `order[i]` numbered i. */
+    internal fun relabelled(order: IntArray, newNumbers: IntArray): NodeGraph {
+        val newStarts = IntArray(order.size + 1)
+        for (i in order.indices) newStarts[i + 1] = newStarts[i] + degree(order[i])
+        val newTargets = IntArray(newStarts[order.size])
+        var at = 0
+        for (old in order) {
+            for (k in starts[old] until starts[old + 1]) newTargets[at++] = newNumbers[targets[k]]
+        }
+        return NodeGraph(newStarts, sortedByDegree(newStarts, newTargets))
+    }
+
+    public companion object {
+        /** The graph of the nodes of [mesh], two being neighbours if an element has both. */
+        @JvmStatic
+        public fun of(mesh: TriMesh): NodeGraph {
+            val elements = mesh.elements
+            val neighbours = mesh.neighbours
+            val starts = IntArray(mesh.nodeCount + 1)
+            for (half in elements.indices) {
+                if (!MeshTopology.ownsEdge(half, neighbours)) continue
+                starts[elements[half] + 1]++
+                starts[elements[MeshTopology.nextCorner(half)] + 1]++
+            }
+            for (n in 1 until starts.size) starts[n] += starts[n - 1]
+            val targets = IntArray(starts[mesh.nodeCount])
+            val at = starts.copyOf()
+            for (half in elements.indices) {
+                if (!MeshTopology.ownsEdge(half, neighbours)) continue
+                val a = elements[half]
+                val b = elements[MeshTopology.nextCorner(half)]
+                targets[at[a]++] = b
+                targets[at[b]++] = a
+            }
+            return NodeGraph(starts, sortedByDegree(starts, targets))
+        }
+
+        /**
+         * The graph with the given edges.
+         *
+         * @param pairs two nodes an edge, each edge once; not modified.
+         */
+        @JvmStatic
+        public fun ofEdges(nodeCount: Int, pairs: IntArray): NodeGraph {
+            val starts = IntArray(nodeCount + 1)
+            for (node in pairs) starts[node + 1]++
+            for (n in 1..nodeCount) starts[n] += starts[n - 1]
+            val targets = IntArray(pairs.size)
+            val at = starts.copyOf()
+            for (i in pairs.indices step 2) {
+                targets[at[pairs[i]]++] = pairs[i + 1]
+                targets[at[pairs[i + 1]]++] = pairs[i]
+            }
+            return NodeGraph(starts, sortedByDegree(starts, targets))
+        }
+
+        /** Sorts all rows at once: nodes taken by degree are appended to the rows of their neighbours. */
+        private fun sortedByDegree(starts: IntArray, targets: IntArray): IntArray {
+            val sorted = IntArray(targets.size)
+            val at = starts.copyOf()
+            for (node in nodesByDegree(starts)) {
+                for (k in starts[node] until starts[node + 1]) {
+                    sorted[at[targets[k]]++] = node
+                }
+            }
+            return sorted
+        }
+
+        /** Nodes by degree, ties by number; a counting sort. */
+        internal fun nodesByDegree(starts: IntArray): IntArray {
+            val count = starts.size - 1
+            var highest = 0
+            for (n in 0 until count) highest = maxOf(highest, starts[n + 1] - starts[n])
+            val place = IntArray(highest + 2)
+            for (n in 0 until count) place[starts[n + 1] - starts[n] + 1]++
+            for (d in 1 until place.size) place[d] += place[d - 1]
+            val nodes = IntArray(count)
+            for (n in 0 until count) nodes[place[starts[n + 1] - starts[n]]++] = n
+            return nodes
+        }
+    }
+}

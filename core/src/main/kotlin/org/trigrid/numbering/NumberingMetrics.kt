@@ -1,0 +1,62 @@
+package org.trigrid.numbering
+
+import org.trigrid.mesh.TriMesh
+
+/** What a node order costs a band or profile solver. */
+public class NumberingMetrics internal constructor(
+    /** B: largest difference of the numbers of two nodes of an element. */
+    @get:JvmName("halfBandwidth") public val halfBandwidth: Int,
+    /** Sum over the rows i of i - min(j) + 1, the diagonal counted: entries of the lower profile. */
+    @get:JvmName("profile") public val profile: Long,
+    @get:JvmName("nodeCount") public val nodeCount: Int,
+) {
+    /** Bandwidth p + q - 1 by the paper's eqs. (6) to (10); that is 2 B + 1, or 0 without nodes. */
+    @get:JvmName("bandwidth")
+    public val bandwidth: Int get() = if (nodeCount == 0) 0 else 2 * halfBandwidth + 1
+
+    /** Mean wavefront: the profile per row. NaN without nodes. */
+    @get:JvmName("meanWavefront")
+    public val meanWavefront: Double get() = profile / nodeCount.toDouble()
+
+    override fun toString(): String = "bandwidth $bandwidth, profile $profile"
+
+    public companion object {
+        /** The metrics of a mesh in the order it has. */
+        @JvmStatic
+        public fun of(mesh: TriMesh): NumberingMetrics {
+            val lowest = IntArray(mesh.nodeCount) { it }
+            val elements = mesh.elements
+            for (at in elements.indices step 3) {
+                val low = minOf(elements[at], minOf(elements[at + 1], elements[at + 2]))
+                for (k in at..at + 2) if (low < lowest[elements[k]]) lowest[elements[k]] = low
+            }
+            return ofLowest(lowest)
+        }
+
+        /** The metrics of [graph] in the order that [permutation] gives. */
+        @JvmStatic
+        public fun of(graph: NodeGraph, permutation: Permutation): NumberingMetrics =
+            ofNumbers(graph, permutation.newNumbersShared())
+
+        internal fun ofNumbers(graph: NodeGraph, numbers: IntArray): NumberingMetrics {
+            val lowest = IntArray(graph.nodeCount)
+            for (node in 0 until graph.nodeCount) {
+                var low = numbers[node]
+                for (k in graph.starts[node] until graph.starts[node + 1]) low = minOf(low, numbers[graph.targets[k]])
+                lowest[numbers[node]] = low
+            }
+            return ofLowest(lowest)
+        }
+
+        private fun ofLowest(lowest: IntArray): NumberingMetrics {
+            var widest = 0
+            var profile = 0L
+            for (i in lowest.indices) {
+                val width = i - lowest[i]
+                widest = maxOf(widest, width)
+                profile += width + 1
+            }
+            return NumberingMetrics(widest, profile, lowest.size)
+        }
+    }
+}

@@ -1,0 +1,61 @@
+package org.trigrid.numbering
+
+import org.trigrid.mesh.TriMesh
+
+/** Finds new numbers for the nodes of a graph, part by part where it falls into several. */
+internal object Renumbering {
+    /**
+     * @param boundaryNodes nodes on the boundary, walk by walk in their order; a node may occur more than once.
+     */
+    fun order(graph: NodeGraph, boundaryNodes: IntArray, method: NumberingMethod): Permutation {
+        if (method == NumberingMethod.NONE || graph.nodeCount == 0) return Permutation.identity(graph.nodeCount)
+        val order = IntArray(graph.nodeCount)
+        var size = 0
+        for (part in GraphParts.of(graph, boundaryNodes)) {
+            for (local in partOrder(part, method)) order[size++] = part.nodes[local]
+        }
+        val found = Permutation.ofOrder(order)
+        if (method == NumberingMethod.CUTHILL_MCKEE) return found
+        val given = Permutation.identity(graph.nodeCount)
+        return if (isBetter(NumberingMetrics.of(graph, found), NumberingMetrics.of(graph, given))) found else given
+    }
+
+    /** Lower half-bandwidth first, then lower profile. */
+    private fun isBetter(a: NumberingMetrics, b: NumberingMetrics): Boolean =
+        a.halfBandwidth < b.halfBandwidth || a.halfBandwidth == b.halfBandwidth && a.profile < b.profile
+
+    private fun partOrder(part: GraphPart, method: NumberingMethod): IntArray {
+        val entries = part.graph.targets.size.toLong()
+        return when (method) {
+            NumberingMethod.CUTHILL_MCKEE -> PaperNumbering.order(part.graph, part.boundary)
+            else -> {
+                val passes = if (part.graph.nodeCount > LARGE) PASSES_LARGE else PASSES
+                OrderSearch(part.graph, part.boundary, maxOf(SMALL_BUDGET, passes * entries)).search()
+            }
+        }
+    }
+
+    /** The boundary nodes of a mesh, walk after walk; where walks touch, a node occurs once. */
+    fun boundaryWalks(mesh: TriMesh): IntArray {
+        val next = IntArray(mesh.nodeCount) { TriMesh.NONE }
+        for (e in 0 until mesh.boundaryEdgeCount) next[mesh.edgeStart(e)] = mesh.edgeEnd(e)
+        val walks = IntArray(mesh.boundaryEdgeCount)
+        var count = 0
+        for (e in 0 until mesh.boundaryEdgeCount) {
+            var node = mesh.edgeStart(e)
+            while (next[node] >= 0) {
+                walks[count++] = node
+                val to = next[node]
+                next[node] = TriMesh.NONE
+                node = to
+            }
+        }
+        return walks.copyOf(count)
+    }
+
+    /** Passes over the graph allowed in a search, and the work that any graph may have, in entries read. */
+    private const val PASSES = 40L
+    private const val PASSES_LARGE = 20L
+    private const val LARGE = 100_000
+    private const val SMALL_BUDGET = 6_000_000L
+}

@@ -1,0 +1,86 @@
+package org.trigrid.project
+
+import org.trigrid.MeshOptions
+import org.trigrid.domain.Domain
+import org.trigrid.domain.Path
+import org.trigrid.domain.PathDomain
+import org.trigrid.domain.PathWalk
+import org.trigrid.domain.PlaceIndex
+
+/** What a project file holds: a path of shapes, loops of plain nodes, and how to mesh what they bound. Immutable. */
+public class Project private constructor(builder: Builder) {
+    /** The shapes and the edits of their nodes. */
+    @get:JvmName("path")
+    public val path: Path = builder.path
+
+    /** Loops of given nodes, beside the path's or in its place. */
+    @get:JvmName("loops")
+    public val loops: List<NodeLoop> = java.util.List.copyOf(builder.loops)
+
+    /** A size function is not kept in the file. */
+    @get:JvmName("options")
+    public val options: MeshOptions = builder.options
+
+    @get:JvmName("defaults")
+    public val defaults: ShapeDefaults = builder.defaults
+
+    @get:JvmName("regionName")
+    public val regionName: String = builder.regionName
+
+    /** Whether connectors become edges of the mesh; else they only join the walk. Default false. */
+    @get:JvmName("keepsConnectors")
+    public val keepsConnectors: Boolean = builder.keepsConnectors
+
+    /**
+     * The domain that path and loops bound.
+     *
+     * @throws org.trigrid.diagnostics.InvalidDomainException if a walk of the path is not closed.
+     */
+    public fun toDomain(): Domain {
+        val places = PlaceIndex(path.nodeCount)
+        for (node in path.nodes()) places.numberOf(node.x, node.y)
+        val walks = ArrayList(path.walks())
+        for ((k, loop) in loops.withIndex()) {
+            val numbers = IntArray(loop.nodeCount) { places.numberOf(loop.x(it), loop.y(it)) }
+            walks.add(PathWalk(numbers, loop.segmentTags, IntArray(numbers.size) { -1 }, true, -1 - k))
+        }
+        return PathDomain(places.toArray(), walks).make(keepsConnectors, regionName)
+    }
+
+    /** A builder that starts from this project. */
+    public fun toBuilder(): Builder = Builder().path(path).loops(loops).options(options).defaults(defaults)
+        .regionName(regionName).keepConnectors(keepsConnectors)
+
+    /** Collects the parts of a project; the same builder may build several times. */
+    public class Builder internal constructor() {
+        internal var path = Path.EMPTY
+        internal var loops: List<NodeLoop> = emptyList()
+        internal var options = MeshOptions.DEFAULT
+        internal var defaults = ShapeDefaults.STANDARD
+        internal var regionName = "domain"
+        internal var keepsConnectors = false
+
+        public fun path(value: Path): Builder = apply { path = value }
+
+        public fun loops(value: List<NodeLoop>): Builder = apply { loops = value }
+
+        public fun options(value: MeshOptions): Builder = apply { options = value }
+
+        public fun defaults(value: ShapeDefaults): Builder = apply { defaults = value }
+
+        public fun regionName(value: String): Builder = apply { regionName = value }
+
+        public fun keepConnectors(value: Boolean): Builder = apply { keepsConnectors = value }
+
+        public fun build(): Project = Project(this)
+    }
+
+    public companion object {
+        @JvmStatic
+        public fun builder(): Builder = Builder()
+
+        /** A project with everything but the path at its default. */
+        @JvmStatic
+        public fun of(path: Path): Project = Builder().path(path).build()
+    }
+}

@@ -1,0 +1,145 @@
+package org.trigrid.project
+
+import org.trigrid.MeshOptions
+import org.trigrid.Sizes
+import org.trigrid.Strategy
+import org.trigrid.diagnostics.InvalidShapeException
+import org.trigrid.domain.AppendStep
+import org.trigrid.domain.BackStep
+import org.trigrid.domain.DeleteStep
+import org.trigrid.domain.EditStep
+import org.trigrid.domain.InsertStep
+import org.trigrid.domain.MoveStep
+import org.trigrid.domain.NewLoopStep
+import org.trigrid.domain.NodeKey
+import org.trigrid.domain.Path
+import org.trigrid.domain.PathStep
+import org.trigrid.numbering.NumberingMethod
+import org.trigrid.shape.Distribution
+import org.trigrid.shape.Rounding
+
+/** Makes a [Project] of the text of a project file. */
+internal class ProjectReader(private val source: JsonSource) {
+    fun read(): Project {
+        val fields = JsonFields(source, JsonParser(source).parse(), "a project")
+        checkVersion(fields)
+        val builder = Project.builder()
+        builder.regionName(fields.string("region", "domain"))
+        builder.keepConnectors(fields.choice("connectors", Connectors.entries, Connectors.DROP) == Connectors.KEEP)
+        if (fields.has("defaults")) builder.defaults(defaults(fields.any("defaults")))
+        if (fields.has("mesh")) builder.options(options(fields.any("mesh")))
+        if (fields.has("path")) builder.path(path(fields.items("path"), builder.defaults))
+        if (fields.has("loops")) builder.loops(fields.items("loops").map { loop(it) })
+        fields.end()
+        return builder.build()
+    }
+
+    /** Before anything else, so that a newer file is not blamed for keys that are new. */
+    private fun checkVersion(fields: JsonFields) {
+        val format = fields.string("format")
+        if (format != FORMAT) source.fail(fields.any("format").at, "\"format\" must be $FORMAT, not \"$format\"")
+        val version = fields.whole("version")
+        if (version !in 1..ProjectFile.VERSION) {
+            val known = ProjectFile.VERSION
+            source.fail(fields.any("version").at, "version $version is not known; this program reads 1 to $known")
+        }
+    }
+
+    private fun defaults(value: JsonValue): ShapeDefaults {
+        val fields = JsonFields(source, value, "defaults")
+        val standard = ShapeDefaults.STANDARD
+        val spacing = fields.number("spacing", standard.spacing)
+        val ratio = fields.number("ratio", standard.ratio)
+        val distribution = fields.choice("distribution", Distribution.entries, standard.distribution)
+        val rounding = fields.choice("rounding", Rounding.entries, standard.rounding)
+        fields.end()
+        return checked(fields) { ShapeDefaults(spacing, ratio, distribution, rounding) }
+    }
+
+    private fun options(value: JsonValue): MeshOptions {
+        val fields = JsonFields(source, value, "mesh")
+        val standard = MeshOptions.DEFAULT
+        return checked(fields) {
+            val builder = MeshOptions.builder()
+                .sizes(fields.choice("sizes", Sizes.entries, standard.sizes))
+                .gradation(fields.number("gradation", standard.gradation))
+                .minSize(fields.number("minSize", standard.minSize))
+                .strategy(fields.choice("strategy", Strategy.entries, standard.strategy))
+                .improve(fields.boolean("improve", standard.improve))
+                .smoothingTolerance(fields.number("smoothingTolerance", standard.smoothingTolerance))
+                .numbering(fields.choice("numbering", NumberingMethod.entries, standard.numbering))
+            if (fields.has("maxSize")) builder.maxSize(fields.number("maxSize"))
+            if (fields.has("maxElements")) builder.maxElements(fields.whole("maxElements"))
+            fields.end()
+            builder.build()
+        }
+    }
+
+    private fun <T> checked(fields: JsonFields, make: () -> T): T = try {
+        make()
+    } catch (e: IllegalArgumentException) {
+        fields.refuse(e.message ?: "a value is not allowed", e)
+    }
+
+    private fun path(items: List<JsonValue>, defaults: ShapeDefaults): Path {
+        val path = Path.ofSteps(items.map { step(it, defaults) })
+        val undone = path.undoneSteps().firstOrNull() ?: return path
+        val reason = when (val step = path.steps[undone]) {
+            is EditStep -> "there is no such node at this step: ${step.keys().joinToString(" or ")}"
+            else -> "there is no connector to travel back at this step"
+        }
+        source.fail(items[undone].at, reason)
+    }
+
+    private fun step(value: JsonValue, defaults: ShapeDefaults): PathStep {
+        val fields = JsonFields(source, value, "a step of the path")
+        val step = when (val type = fields.string("type")) {
+            "back" -> BackStep
+            "new-loop" -> NewLoopStep
+            "move" -> fields.point("to").let { MoveStep(node(fields, "node"), it.x, it.y) }
+            "delete" -> DeleteStep(node(fields, "node"))
+            "insert" -> fields.point("at").let {
+                InsertStep(node(fields, "node"), node(fields, "from"), node(fields, "to"), it.x, it.y)
+            }
+            else -> return append(type, fields, defaults)
+        }
+        fields.end()
+        return step
+    }
+
+    private fun append(type: String, fields: JsonFields, defaults: ShapeDefaults): AppendStep = try {
+        val shape = ShapeReader(fields, defaults).read(if (type == CONNECTOR) "line" else type)
+            ?: source.fail(fields.any("type").at, "\"$type\" is no type of a step")
+        fields.end()
+        AppendStep(shape, type == CONNECTOR)
+    } catch (e: InvalidShapeException) {
+        fields.refuse(e.message ?: "the shape is not valid", e)
+    }
+
+    private fun node(fields: JsonFields, key: String): NodeKey {
+        val text = fields.string(key)
+        return NodeKey.parse(text)
+            ?: source.fail(fields.any(key).at, "\"$key\" must name a node, \"shape:node\" or \"+number\", not \"$text\"")
+    }
+
+    private fun loop(value: JsonValue): NodeLoop {
+        val fields = JsonFields(source, value, "a loop")
+        val nodes = fields.points("nodes")
+        val xy = DoubleArray(2 * nodes.size) { if (it % 2 == 0) nodes[it / 2].x else nodes[it / 2].y }
+        val name = fields.string("name", Path.UNNAMED_TAG)
+        val tags = if (fields.has("segmentNames")) fields.strings("segmentNames") else List(nodes.size) { name }
+        if (tags.size != nodes.size) {
+            source.fail(fields.any("segmentNames").at, "${nodes.size} segments have ${tags.size} names")
+        }
+        fields.end()
+        return NodeLoop(xy, tags)
+    }
+
+    internal companion object {
+        const val FORMAT = "trigrid"
+        const val CONNECTOR = "connector"
+    }
+}
+
+/** What becomes of connectors. */
+internal enum class Connectors { DROP, KEEP }

@@ -1,0 +1,17 @@
+package org.trigrid.shape
+
+/**
+ * The way round a closed shape is travelled, x to the right and y up.
+ *
+ * Travelled as the outer boundary is, a shape is included in the domain; travelled against it, it is left out.
+ */
+public enum class Direction {
+    CLOCKWISE,
+    ANTICLOCKWISE,
+    ;
+
+    public fun opposite(): Direction = if (this == CLOCKWISE) ANTICLOCKWISE else CLOCKWISE
+
+    /** +1 for anticlockwise, -1 for clockwise. */
+    internal val sign: Int get() = if (this == ANTICLOCKWISE) 1 else -1
+}

@@ -1,0 +1,44 @@
+plugins {
+    alias(libs.plugins.kotlin.jvm)
+    application
+}
+
+// JavaFX comes as one jar per platform, named by a classifier.
+val javafxPlatform: String = run {
+    val os = System.getProperty("os.name").lowercase()
+    val arm = System.getProperty("os.arch") in setOf("aarch64", "arm64")
+    when {
+        os.contains("win") -> "win"
+        os.contains("mac") -> if (arm) "mac-aarch64" else "mac"
+        else -> if (arm) "linux-aarch64" else "linux"
+    }
+}
+val javafxVersion: String = libs.versions.javafx.get()
+
+dependencies {
+    implementation(project(":core"))
+    implementation(libs.kotlin.stdlib)
+    implementation("${libs.javafx.base.get().module}:$javafxVersion:$javafxPlatform")
+    implementation("${libs.javafx.graphics.get().module}:$javafxVersion:$javafxPlatform")
+    implementation("${libs.javafx.controls.get().module}:$javafxVersion:$javafxPlatform")
+
+    testImplementation(libs.junit.jupiter)
+    testRuntimeOnly(libs.junit.platform.launcher)
+}
+
+application {
+    applicationName = "trigrid-editor"
+    mainClass.set("org.trigrid.editor.Main")
+}
+
+// JavaFX warns when it is started from the class path, so its jars go on the module path.
+tasks.named<JavaExec>("run") {
+    val runtime = sourceSets.main.get().runtimeClasspath
+    val javafx = runtime.filter { it.name.startsWith("javafx-") }
+    classpath = runtime.filter { !it.name.startsWith("javafx-") }
+    jvmArgumentProviders.add(
+        CommandLineArgumentProvider {
+            listOf("--module-path", javafx.asPath, "--add-modules", "javafx.controls")
+        },
+    )
+}
