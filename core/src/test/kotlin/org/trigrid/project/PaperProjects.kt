@@ -39,8 +39,8 @@ internal object PaperProjects {
         val path = Path.of(
             Lines.of(0.4, 0.0, 0.0, 6.0, 0.0, 7.0, 1.0, 9.0, 1.0).withName("bottom"),
             Curve.of(0.3, 9.0, 1.0, 9.8, 2.0, 9.4, 3.2, 10.0, 4.25).withName("right"),
-            Ellipse(Point2(10.4, 4.5), Point2(12.4, 4.5), 2.0, 1.2, 0.38)
-                .withDistribution(Distribution.SYMMETRIC).withRatio(2.5).withName("ellipse"),
+            Ellipse(Point2(10.4, 4.5), Point2(12.4, 4.5), 2.0, 1.2, 0.36)
+                .withDistribution(Distribution.SYMMETRIC).withRatio(1.6).withName("ellipse"),
             Lines.of(0.4, 10.0, 4.75, 9.5, 6.0, 8.0, 6.5).withName("right"),
             Curve.of(0.3, 8.0, 6.5, 7.0, 7.6, 5.5, 7.0, 4.5, 8.0, 3.0, 8.2, 1.5, 7.4).withName("top"),
             Lines.of(0.4, 1.5, 7.4, 0.0, 8.0, 0.0, 6.5).withName("left"),
