@@ -58,7 +58,7 @@ internal class LabelLayout(private val width: Double, private val height: Double
         /** Height of digits, as a part of the font size. */
         const val DIGIT_HEIGHT = 0.73
 
-        private const val EDGE = 3.0
+        private const val EDGE = 8.0
         private const val LINE_STEP = 2.5
         private const val LINE_HALF = 0.8
         private const val MOST_STEPS = 10_000

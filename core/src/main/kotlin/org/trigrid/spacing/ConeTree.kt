@@ -1,6 +1,7 @@
 package org.trigrid.spacing
 
 import org.trigrid.geometry.InsertionOrder
+import org.trigrid.geometry.IntList
 
 /**
  * Lower envelope of cones: `min over sources i of (h_i + g |x - x_i|)`, the largest function with slope at most g that

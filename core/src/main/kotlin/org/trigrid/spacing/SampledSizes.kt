@@ -1,6 +1,7 @@
 package org.trigrid.spacing
 
 import org.trigrid.diagnostics.InvalidSizeException
+import org.trigrid.geometry.IntList
 
 /**
  * The user's sizes, sampled once and limited to the gradation.
@@ -64,7 +65,7 @@ internal class SampledSizes(
 
     private fun divide(cell: Int) {
         val half = FULL ushr (levels[cell] + 1)
-        children.replace(cell, levels.size)
+        children[cell] = levels.size
         for (k in 0..3) addCell(gridX[cell] + (k and 1) * half, gridY[cell] + (k shr 1) * half, levels[cell] + 1)
     }
 

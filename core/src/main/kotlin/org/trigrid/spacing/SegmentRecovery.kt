@@ -3,6 +3,7 @@ package org.trigrid.spacing
 import org.trigrid.diagnostics.Fault
 import org.trigrid.diagnostics.FaultKind
 import org.trigrid.diagnostics.InvalidDomainException
+import org.trigrid.geometry.IntList
 import org.trigrid.spacing.DelaunayBuilder.Companion.GHOST
 import org.trigrid.spacing.DelaunayBuilder.Companion.NONE
 import org.trigrid.spacing.DelaunayBuilder.Companion.next

@@ -3,6 +3,7 @@ package org.trigrid.spacing
 import org.trigrid.MeshOptions
 import org.trigrid.Sizes
 import org.trigrid.domain.Domain
+import org.trigrid.geometry.IntList
 
 /** Makes the size field that the options ask for. */
 internal object SizeFields {

@@ -140,7 +140,7 @@ class ProjectFileTest {
         fails("0.5}", "-0.5}", "-0.5", "spacing must be")
         fails("0.5}", "1e999}", "1e999", "beyond the range")
         fails("0.5}", "0.5, \"spacing\": 1}", "\"spacing\": 1}", "stands twice")
-        fails("0.5}", "05}", "05", "may not begin with 0")
+        fails("0.5}", "05}", "05", "a number, not 05")
         fails("\"clockwise\"", "\"left\"", "\"left\"", "one of clockwise, anticlockwise")
         fails("\"centre\": [2, 1]", "\"centre\": [1, 1]", "{\"type\": \"circle", "radius must be")
         fails("\"connector\"", "\"line\"", "{\"type\": \"back\"}", "no connector")
@@ -161,6 +161,22 @@ class ProjectFileTest {
         val e = assertThrows(FileFormatException::class.java) { ProjectFile.parse(text, "x.trigrid.json") }
         assertTrue(reason in e.message!!, e.message)
         assertTrue(e.message!!.startsWith("x.trigrid.json:$line:$column: "), "${e.message} instead of $line:$column")
+    }
+
+    @Test
+    fun `a key is the same key however it is written`() {
+        fails("0.5}", "0.5, \"sp\\u0061cing\": 1}", "\"sp\\u0061cing\"", "key \"spacing\" stands twice")
+        fails("0.5}", "0.5, \"colo\\u0075r\": 1}", "\"colo\\u0075r\"", "unknown key \"colour\"")
+    }
+
+    @Test
+    fun `deep nesting is refused where it becomes too deep`() {
+        for (brackets in listOf("[", "{\"a\":")) {
+            val deep = brackets.repeat(200_000)
+            val e = assertThrows(FileFormatException::class.java) { ProjectFile.parse("\n$deep", "x") }
+            assertEquals(2, e.line)
+            assertEquals(65 * brackets.length + 1, e.column)
+        }
     }
 
     @Test

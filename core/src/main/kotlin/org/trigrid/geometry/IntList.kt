@@ -1,15 +1,15 @@
-package org.trigrid.spacing
+package org.trigrid.geometry
 
 /** A growing array of ints. */
 internal class IntList {
     private var items = IntArray(16)
 
-    var size = 0
+    var size: Int = 0
         private set
 
     operator fun get(index: Int): Int = items[index]
 
-    fun replace(index: Int, item: Int) {
+    operator fun set(index: Int, item: Int) {
         items[index] = item
     }
 
@@ -27,4 +27,6 @@ internal class IntList {
     fun reverse() {
         items.reverse(0, size)
     }
+
+    fun toArray(): IntArray = items.copyOf(size)
 }
