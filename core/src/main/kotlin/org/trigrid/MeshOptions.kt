@@ -1,7 +1,10 @@
 package org.trigrid
 
+import org.trigrid.front.Strategy
 import org.trigrid.numbering.NumberingMethod
 import org.trigrid.spacing.SizeFunction
+import org.trigrid.spacing.SizeRules
+import org.trigrid.spacing.Sizes
 
 /**
  * All that can be asked of the mesher. Immutable; made by [builder].
@@ -49,6 +52,9 @@ public class MeshOptions private constructor(builder: Builder) {
     /** Largest number of elements that may be made. Default 20 million. */
     @get:JvmName("maxElements")
     public val maxElements: Int = builder.maxElements
+
+    /** What the options say about sizes. */
+    internal fun sizeRules(): SizeRules = SizeRules(sizes, gradation, minSize, maxSize, sizeFunction)
 
     /** Collects options; the same builder may build several times. */
     public class Builder internal constructor() {
@@ -132,22 +138,4 @@ public class MeshOptions private constructor(builder: Builder) {
         @JvmStatic
         public fun builder(): Builder = Builder()
     }
-}
-
-/** How element sizes vary away from the boundary. */
-public enum class Sizes {
-    /** From the spacing of one boundary to that of the other, smoothly; slope limited by the gradation. */
-    SMOOTH,
-
-    /** Growing from the boundary by the gradation, as far as the domain allows. */
-    GRADE,
-}
-
-/** The rules by which the front makes elements. */
-public enum class Strategy {
-    /** The paper's: smallest angle first, cases A, B and C, eq. (1). */
-    CLASSIC,
-
-    /** Short edges first, placement by the size field, best candidate of several. */
-    ROBUST,
 }

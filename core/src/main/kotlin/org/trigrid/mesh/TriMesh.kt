@@ -1,5 +1,7 @@
 package org.trigrid.mesh
 
+import java.util.BitSet
+
 /**
  * A triangular mesh, immutable.
  *
@@ -118,7 +120,7 @@ public class TriMesh internal constructor(
     /** Nodes on the edges of group [tag], ascending; for boundary conditions. Empty for an unknown name. */
     public fun nodesOn(tag: String): IntArray {
         val index = tags.indexOf(tag)
-        val on = java.util.BitSet(nodeCount)
+        val on = BitSet(nodeCount)
         for (e in edgeTags.indices) {
             if (edgeTags[e] == index) {
                 on.set(edges[2 * e])

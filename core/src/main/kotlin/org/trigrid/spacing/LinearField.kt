@@ -1,5 +1,7 @@
 package org.trigrid.spacing
 
+import java.util.BitSet
+
 /**
  * Sizes that pass smoothly from the spacing of one boundary to that of the next: linear in each triangle of the domain's
  * constrained Delaunay triangulation, from sizes at its nodes that already keep the gradation.
@@ -16,7 +18,7 @@ internal class LinearField(
 ) : SizeField {
     private val walk = TriangleWalk(mesh)
     private var lastSource = -1
-    private val steep = java.util.BitSet(mesh.triangleCount)
+    private val steep = BitSet(mesh.triangleCount)
 
     override var lastHint: Int = 0
         private set
