@@ -8,7 +8,7 @@ import org.trigrid.diagnostics.TooManyElementsException
 import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
 import org.trigrid.front.FrontMesher
-import org.trigrid.improve.MeshImprover
+import org.trigrid.improve.MeshImprovement
 import org.trigrid.mesh.MeshFreezer
 import org.trigrid.mesh.TriMesh
 import org.trigrid.numbering.Numbering
@@ -61,7 +61,9 @@ public object MeshGenerator {
 
         run.begin(Stage.IMPROVE)
         if (options.improve) {
-            MeshImprover(raw.mesh, sizes, options.smoothingTolerance).run { if (!run.update(Stage.IMPROVE, it)) throw MeshingCancelledException() }
+            MeshImprovement.improve(raw.mesh, options.strategy, options.smoothingTolerance) {
+                if (!run.update(Stage.IMPROVE, it)) throw MeshingCancelledException()
+            }
         }
         val made = MeshFreezer.freeze(raw.mesh, domain)
 

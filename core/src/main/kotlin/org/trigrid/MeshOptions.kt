@@ -69,6 +69,7 @@ public class MeshOptions private constructor(builder: Builder) {
         internal var numbering = NumberingMethod.BEST
         internal var maxElements = 20_000_000
 
+        /** Sets [MeshOptions.sizes]. */
         public fun sizes(value: Sizes): Builder = apply { sizes = value }
 
         /** @throws IllegalArgumentException unless finite and > 0. */
@@ -89,10 +90,13 @@ public class MeshOptions private constructor(builder: Builder) {
             maxSize = value
         }
 
+        /** Sets [MeshOptions.sizeFunction]; null for none. */
         public fun sizeFunction(value: SizeFunction?): Builder = apply { sizeFunction = value }
 
+        /** Sets [MeshOptions.strategy]. */
         public fun strategy(value: Strategy): Builder = apply { strategy = value }
 
+        /** Sets [MeshOptions.improve]. */
         public fun improve(value: Boolean): Builder = apply { improve = value }
 
         /** @throws IllegalArgumentException unless finite and > 0. */
@@ -101,6 +105,7 @@ public class MeshOptions private constructor(builder: Builder) {
             smoothingTolerance = value
         }
 
+        /** Sets [MeshOptions.numbering]. */
         public fun numbering(value: NumberingMethod): Builder = apply { numbering = value }
 
         /** @throws IllegalArgumentException unless > 0. */
@@ -135,6 +140,7 @@ public class MeshOptions private constructor(builder: Builder) {
         @JvmField
         public val DEFAULT: MeshOptions = Builder().build()
 
+        /** Starts from the default options. */
         @JvmStatic
         public fun builder(): Builder = Builder()
     }

@@ -54,10 +54,13 @@ public class TriMesh internal constructor(
     /** Element across [edge] 0..2 of [element], or [NONE] on the boundary. */
     public fun neighbourOf(element: Int, edge: Int): Int = neighbours[3 * element + edge]
 
+    /** Where [node] came from. */
     public fun kindOf(node: Int): NodeKind = NodeKind.of(kinds[node])
 
+    /** First node of a tagged edge. */
     public fun edgeStart(edge: Int): Int = edges[2 * edge]
 
+    /** Second node of a tagged edge. */
     public fun edgeEnd(edge: Int): Int = edges[2 * edge + 1]
 
     /** Index into [tags] of a tagged edge. */
