@@ -7,10 +7,10 @@ import org.junit.jupiter.api.Test
 import org.trigrid.MeshGenerator
 import org.trigrid.MeshOptions
 import org.trigrid.MeshReport
-import org.trigrid.Sizes
-import org.trigrid.Strategy
+import org.trigrid.front.Strategy
 import org.trigrid.mesh.MeshCheck
 import org.trigrid.numbering.NumberingMethod
+import org.trigrid.spacing.Sizes
 import java.nio.file.Files
 import java.nio.file.Path
 
