@@ -32,12 +32,11 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
 
     /** The best order found. */
     fun search(): IntArray {
-        if (graph.nodeCount > LARGE && boundary.isNotEmpty()) {
-            fromLikeness()
-        } else {
-            fromEnds()
-            if (boundary.isNotEmpty()) scanStretches()
-        }
+        val hasLikeness = graph.nodeCount > LARGE && boundary.isNotEmpty()
+        if (hasLikeness) fromLikeness()
+        // The likeness has no stretch to start from where its boundary is but a few places; the graph has its ends.
+        if (best.halfBandwidth == Int.MAX_VALUE) fromEnds()
+        if (!hasLikeness && boundary.isNotEmpty()) scanStretches()
         refineStretch()
         mergeFromStretches()
         if (graph.nodeCount <= LARGE) mergeFromPlaces()
