@@ -32,11 +32,14 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
 
     /** The best order found. */
     fun search(): IntArray {
-        val hasLikeness = graph.nodeCount > LARGE && boundary.isNotEmpty()
-        if (hasLikeness) fromLikeness()
-        // The likeness has no stretch to start from where its boundary is but a few places; the graph has its ends.
-        if (best.halfBandwidth == Int.MAX_VALUE) fromEnds()
-        if (!hasLikeness && boundary.isNotEmpty()) scanStretches()
+        if (graph.nodeCount > LARGE && boundary.isNotEmpty()) {
+            fromLikeness()
+        } else {
+            fromEnds()
+            if (boundary.isNotEmpty()) scanStretches()
+        }
+        // A likeness may have no start that works in the graph itself.
+        if (best.order.isEmpty()) fromEnds()
         refineStretch()
         mergeFromStretches()
         if (graph.nodeCount <= LARGE) mergeFromPlaces()
