@@ -79,27 +79,31 @@ internal class Patch(private val connectivity: Connectivity) {
 
     /**
      * What surgery shall lower: the sum over the elements around the nodes of how far they are from equilateral, bad ones
-     * counting more, and of how far their edges are from the wanted length.
+     * counting more, and of how far their edges are from the wanted length. The elements [t] and [s] are counted even
+     * if all their nodes are fixed; -1 for none.
      */
-    fun energy(): Double {
+    fun energy(t: Int, s: Int): Double {
         if (elementMarks.size < mesh.elements.size / 3) elementMarks = elementMarks.copyOf(mesh.elements.size / 3)
         elementMark++
         minQuality = 1.0
-        var sum = 0.0
+        var sum = energyOnce(t) + energyOnce(s)
         for (i in 0 until count) {
             val first = connectivity.outgoing[nodes[i]]
             if (first < 0) continue
             var h = first
             do {
-                val t = h / 3
-                if (elementMarks[t] != elementMark) {
-                    elementMarks[t] = elementMark
-                    sum += energyOf(t)
-                }
+                sum += energyOnce(h / 3)
                 h = mesh.twins[previous(h)]
             } while (h != first)
         }
         return sum
+    }
+
+    /** Energy of element [t] unless it has been counted or is none. */
+    private fun energyOnce(t: Int): Double {
+        if (t < 0 || elementMarks[t] == elementMark) return 0.0
+        elementMarks[t] = elementMark
+        return energyOf(t)
     }
 
     private fun energyOf(t: Int): Double {

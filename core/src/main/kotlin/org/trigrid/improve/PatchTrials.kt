@@ -51,10 +51,10 @@ internal class PatchTrials(
         if (wouldStarve(a) || wouldStarve(b) || mesh.isEmbedded(a, b)) return
         if (quality(a, d, c) < LEAST_QUALITY || quality(b, c, d) < LEAST_QUALITY) return
         patch.collect(a, b, c, d)
-        val before = patch.energy()
+        val before = patch.energy(h / 3, g / 3)
         val least = patch.minQuality
         connectivity.flip(h)
-        if (isBetter(before, least)) return
+        if (isBetter(before, least, h / 3, g / 3)) return
         connectivity.flip(next(h))
         patch.restore()
     }
@@ -96,9 +96,9 @@ internal class PatchTrials(
         val m = mesh.elements[next(h)]
         val left = mesh.elements[previous(h)]
         val right = mesh.elements[previous(mesh.twins[h])]
-        if (wouldStarve(left) || wouldStarve(right)) return false
+        if (wouldStarve(left) || wouldStarve(right) || leavesFixedElement(n, m)) return false
         patch.collect(n, m, left, right)
-        val before = patch.energy() - PAIR
+        val before = patch.energy(NONE, NONE) - PAIR
         val least = patch.minQuality
         val size = mesh.sizes[n]
         connectivity.collapse(h)
@@ -106,29 +106,44 @@ internal class PatchTrials(
             mesh.xy[2 * m] = 0.5 * (mesh.xy[2 * m] + mesh.xy[2 * n])
             mesh.xy[2 * m + 1] = 0.5 * (mesh.xy[2 * m + 1] + mesh.xy[2 * n + 1])
         }
-        patch.energy()
-        if (patch.minQuality > LEAST_QUALITY && isBetter(before, least)) return true
+        patch.energy(NONE, NONE)
+        if (patch.minQuality > LEAST_QUALITY && isBetter(before, least, NONE, NONE)) return true
         connectivity.undoCollapse(h, n, m, left, right, size)
         patch.restore()
+        return false
+    }
+
+    /** Whether pulling [n] into a fixed [m] makes an element of fixed nodes alone, which no patch knows of. */
+    private fun leavesFixedElement(n: Int, m: Int): Boolean {
+        if (connectivity.isFree(m)) return false
+        val first = connectivity.outgoing[n]
+        var h = first
+        do {
+            val a = mesh.elements[next(h)]
+            val b = mesh.elements[previous(h)]
+            if (a != m && b != m && !connectivity.isFree(a) && !connectivity.isFree(b)) return true
+            h = mesh.twins[previous(h)]
+        } while (h != first)
         return false
     }
 
     private fun trySplit(n: Int, towards: Int) {
         if (!splitter.prepare(n, towards)) return
         patch.collect(n, towards, splitter.end(false), splitter.end(true))
-        val before = patch.energy() + PAIR
+        val before = patch.energy(NONE, NONE) + PAIR
         val least = patch.minQuality
         val made = splitter.split(n)
         patch.add(made)
-        if (isBetter(before, least)) return
+        if (isBetter(before, least, NONE, NONE)) return
         connectivity.collapse(connectivity.halfEdge(made, n))
         patch.restore()
     }
 
     /** Smooths the patch and compares; when it is better, its nodes are due again. */
-    private fun isBetter(before: Double, least: Double): Boolean {
+    private fun isBetter(before: Double, least: Double, t: Int, s: Int): Boolean {
         patch.smooth()
-        if (patch.energy() > before - ENOUGH || patch.minQuality < Math.min(least, POOR)) return false
+        val isLower = patch.energy(t, s) < before - ENOUGH
+        if (!isLower || patch.minQuality < Math.min(least, POOR)) return false
         patch.touch(changes)
         return true
     }
@@ -139,6 +154,8 @@ internal class PatchTrials(
     }
 
     private companion object {
+        const val NONE = -1
+
         /** Flips that raise the squared deviations by 2 are tried too, but only at elements below [GOOD]. */
         const val LEAST_GAIN = -2.01
         const val NEUTRAL = -1.01

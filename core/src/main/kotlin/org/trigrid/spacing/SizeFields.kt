@@ -21,7 +21,7 @@ internal object SizeFields {
             cones.min(domain.x(it), domain.y(it), it, Double.POSITIVE_INFINITY)
         }
         val ofBoundary = when (options.sizes) {
-            Sizes.SMOOTH -> LinearField(mesh, limited, cones, gradation)
+            Sizes.SMOOTH -> LinearField(mesh, limited, typicalSizes(domain, limited), cones, gradation)
             Sizes.GRADE -> GradedField(cones)
         }
         return bounded(ofBoundary, domain, limited, options)
@@ -48,6 +48,36 @@ internal object SizeFields {
         return BoundedField(ofBoundary, user, options.minSize, options.maxSize, if (coarse.size > 0) coarseNodes else null)
     }
 
+    /**
+     * Size typical of the boundary near each node: the mean length of the [WINDOW] segments before and after it in its
+     * loop, weighted by length, times [SHARE]; never below [sizes], and just that for nodes on embedded segments alone.
+     */
+    private fun typicalSizes(domain: Domain, sizes: DoubleArray): DoubleArray {
+        val typical = DoubleArray(sizes.size) { Double.POSITIVE_INFINITY }
+        for (loop in 0 until domain.loopCount) {
+            val first = domain.loopStart(loop)
+            val count = domain.loopStart(loop + 1) - first
+            val window = Math.min(WINDOW, count / 2)
+            val lengths = DoubleArray(count) { domain.segmentLength(first + it) }
+            for (i in 0 until count) {
+                var sum = 0.0
+                var squares = 0.0
+                for (k in i - window until i + window) {
+                    val length = lengths[Math.floorMod(k, count)]
+                    sum += length
+                    squares += length * length
+                }
+                val node = domain.segmentStart(first + i)
+                typical[node] = Math.min(typical[node], SHARE * squares / sum)
+            }
+        }
+        for (node in sizes.indices) {
+            if (typical[node] == Double.POSITIVE_INFINITY) typical[node] = sizes[node]
+            typical[node] = Math.max(typical[node], sizes[node])
+        }
+        return typical
+    }
+
     private fun sample(function: SizeFunction, domain: Domain, gradation: Double): SampledSizes {
         val minX = (0 until domain.nodeCount).minOf { domain.x(it) }
         val minY = (0 until domain.nodeCount).minOf { domain.y(it) }
@@ -67,7 +97,7 @@ internal object SizeFields {
         for (s in 0 until domain.segmentCount) {
             val a = domain.segmentStart(s)
             val b = domain.segmentEnd(s)
-            val length = Math.hypot(domain.x(b) - domain.x(a), domain.y(b) - domain.y(a))
+            val length = domain.segmentLength(s)
             sizes[a] += length
             sizes[b] += length
             segmentsOfNode[a]++
@@ -78,4 +108,10 @@ internal object SizeFields {
         }
         return sizes
     }
+
+    /** Segments before and after a node that make its stretch of the boundary. */
+    private const val WINDOW = 8
+
+    /** Share of the stretch's mean length that a finer node may grow to; larger shares lose the grading of smooth curves. */
+    private const val SHARE = 1.0 / 3
 }

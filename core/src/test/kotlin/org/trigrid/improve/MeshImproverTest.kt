@@ -83,11 +83,17 @@ class MeshImproverTest {
         for (seed in 1L..20L) {
             for (disorder in listOf(0.0, 0.4, 1.0)) {
                 check(RawMeshes.lattice(9, 8, disorder, seed), "plain, seed $seed, disorder $disorder")
+                check(RawMeshes.lattice(9, 2, disorder, seed), "strip, seed $seed, disorder $disorder")
+                check(RawMeshes.lattice(3, 3, disorder, seed).sparse(), "few nodes too close, seed $seed, disorder $disorder")
+                check(RawMeshes.lattice(9, 8, disorder, seed).sparse(), "too close, seed $seed, disorder $disorder")
                 check(RawMeshes.lattice(12, 9, disorder, seed, hole = true), "hole, seed $seed, disorder $disorder")
                 check(RawMeshes.lattice(9, 9, disorder, seed, line = true), "line, seed $seed, disorder $disorder")
             }
         }
     }
+
+    /** The mesh with wanted lengths so large that collapses are tried everywhere. */
+    private fun MutableMesh.sparse(): MutableMesh = also { sizes.fill(2.5) }
 
     private fun checkValid(mesh: MutableMesh, name: String) {
         val used = java.util.BitSet()
