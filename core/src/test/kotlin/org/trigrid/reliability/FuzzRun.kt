@@ -3,8 +3,8 @@ package org.trigrid.reliability
 import org.trigrid.MeshGenerator
 import org.trigrid.MeshOptions
 import org.trigrid.RandomDomains
-import org.trigrid.Sizes
-import org.trigrid.Strategy
+import org.trigrid.spacing.Sizes
+import org.trigrid.front.Strategy
 import org.trigrid.diagnostics.InvalidDomainException
 import org.trigrid.diagnostics.TooManyElementsException
 import org.trigrid.domain.Domain
