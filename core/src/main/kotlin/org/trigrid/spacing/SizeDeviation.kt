@@ -21,7 +21,7 @@ public object SizeDeviation {
     public fun of(mesh: TriMesh, domain: Domain): Double {
         val sizes = SizeFields.nodeSizes(domain)
         val cones = ConeTree(domain.xy, sizes, 1.0)
-        val field = LinearField(ConstrainedDelaunay.of(domain), sizes, cones, Double.POSITIVE_INFINITY)
+        val field = LinearField(ConstrainedDelaunay.of(domain), sizes, sizes, cones, Double.POSITIVE_INFINITY)
         var sum = 0.0
         var count = 0
         for (element in 0 until mesh.elementCount) {
