@@ -13,6 +13,10 @@ internal object Dbg {
         println("${o.strategy} ${o.sizes} g=${o.gradation} improve=${o.improve}")
         val d = family.make(seed)
         println("nodes ${d.nodeCount} loops ${d.loopCount}")
+        if (args.size > 2) {
+            repeat(args[2].toInt()) { MeshGenerator.generate(d, o).report.let { r -> println(org.trigrid.diagnostics.Stage.entries.map { s -> "$s " + r.seconds(s) }) } }
+            return
+        }
         for (improve in listOf(false, true)) for (num in listOf(org.trigrid.numbering.NumberingMethod.NONE, org.trigrid.numbering.NumberingMethod.BEST)) {
             try {
                 val r = MeshGenerator.generate(d, o.toBuilder().improve(improve && o.improve).numbering(num).build())
