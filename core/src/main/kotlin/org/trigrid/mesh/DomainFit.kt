@@ -117,9 +117,15 @@ internal class DomainFit(private val mesh: TriMesh, private val domain: Domain, 
         return 0.5 * sum.value
     }
 
-    /** What rounding may do to the areas of the elements: needles have far less area than the products it is the difference of. */
+    /** What rounding may do to the areas: needles have far less area than the products that it is the difference of. */
     private fun roundings(): Double {
         var products = 0.0
+        for (segment in 0 until domain.segmentCount) {
+            val a = domain.segmentStart(segment)
+            val b = domain.segmentEnd(segment)
+            products += Math.abs((domain.x(a) - domain.x(0)) * (domain.y(b) - domain.y(0)))
+            products += Math.abs((domain.x(b) - domain.x(0)) * (domain.y(a) - domain.y(0)))
+        }
         for (t in 0 until mesh.elementCount) {
             val a = mesh.nodeOf(t, 0)
             val b = mesh.nodeOf(t, 1)

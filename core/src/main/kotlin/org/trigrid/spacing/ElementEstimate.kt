@@ -87,7 +87,7 @@ internal class ElementEstimate(private val mesh: ConstrainedDelaunay, private va
     ): Boolean {
         val mx = 0.5 * (ax + bx)
         val my = 0.5 * (ay + by)
-        if (mx == ax && my == ay || mx == bx && my == by) return false
+        if ((mx == ax || mx == bx) && (my == ay || my == by)) return false
         if (9 * (pieceCount + 2) > pieces.size) pieces = pieces.copyOf(2 * pieces.size)
         putCorner(0, ax, ay, ha)
         putCorner(1, mx, my, hm)
