@@ -20,6 +20,9 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
     private var freeCell = 0
     private val rootHalf: Double
 
+    /** What rounding may do to midpoints and to centres of cells, which cells far smaller than their coordinates do not cover. */
+    private val slack: Double
+
     private var cellOf = IntArray(64)
     private var nextInCell = IntArray(64)
     private var previousInCell = IntArray(64)
@@ -34,6 +37,7 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
         val side = Math.max(maxX - minX, maxY - minY)
         // A power of two, so that scaling a domain by one scales every cell and changes no comparison.
         rootHalf = Math.scalb(1.0, Math.getExponent(side) + 1)
+        slack = ROUNDED_STEPS * Math.max(ulpOf(minX, maxX), ulpOf(minY, maxY))
         head[0] = -1
         box[0] = 0.5 * (minX + maxX)
         box[1] = 0.5 * (minY + maxY)
@@ -123,7 +127,7 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
         head[cell] = -1
         box[3 * cell] = box[3 * above] + (if (quadrant and 1 != 0) half else -half)
         box[3 * cell + 1] = box[3 * above + 1] + (if (quadrant and 2 != 0) half else -half)
-        box[3 * cell + 2] = half * (1 + 1 / LOOSENESS) * ROUNDING
+        box[3 * cell + 2] = half * (1 + 1 / LOOSENESS) * ROUNDING + slack
         return cell
     }
 
@@ -132,6 +136,8 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
         parent[cell] = freeCell
         freeCell = cell
     }
+
+    private fun ulpOf(low: Double, high: Double) = Math.ulp(Math.max(Math.abs(low), Math.abs(high)))
 
     private fun growCells() {
         val size = 2 * parent.size
@@ -152,7 +158,10 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
     private companion object {
         const val LOOSENESS = 1.0
 
-        /** Covers the rounding of midpoints and cell centres. */
+        /** Covers the rounding of what is relative to a cell. */
         const val ROUNDING = 1.0 + 1e-9
+
+        /** Units in the last place by which a midpoint and a centre may be off together, with room to spare. */
+        const val ROUNDED_STEPS = 4.0
     }
 }
