@@ -185,8 +185,8 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
     }
 
     private companion object {
-        /** Of a cell's side to the extent of its edges, at least; measured best of 0.5, 1 and 2. */
-        const val LOOSENESS = 1.0
+        /** Of a cell's side to the extent of its edges, at least; lists are cheap to go through, levels are not. */
+        const val LOOSENESS = 8.0
 
         /** 32 units in the last place. */
         const val SLACK_BITS = 47
