@@ -1,6 +1,6 @@
 package org.trigrid.cli.bench
 
-import org.trigrid.Sizes
+import org.trigrid.spacing.Sizes
 import org.trigrid.project.DomainInput
 
 /** Meshes domains in all ways and keeps the figures. */

@@ -2,7 +2,7 @@ package org.trigrid.cli.bench
 
 import org.trigrid.MeshGenerator
 import org.trigrid.MeshOptions
-import org.trigrid.Sizes
+import org.trigrid.spacing.Sizes
 import org.trigrid.domain.Domain
 import org.trigrid.io.MeshFormats
 import org.trigrid.mesh.TriMesh
