@@ -111,8 +111,8 @@ internal class BenchCommand(private val session: Session) : Callable<Int> {
     }
 
     private fun heading(): String {
-        val arguments = spec.commandLine().parseResult.originalArgs()
-        return "`trigrid bench ${arguments.joinToString(" ")}` on ${Machine.describe()}."
+        val arguments = spec.commandLine().parent.parseResult.originalArgs()
+        return "`trigrid ${arguments.joinToString(" ")}` on ${Machine.describe()}."
     }
 
     private fun domains(): List<DomainInput> = quality.flatMap { filesOf(it) }
