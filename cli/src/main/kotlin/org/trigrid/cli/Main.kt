@@ -7,6 +7,8 @@ import kotlin.system.exitProcess
 
 /** Runs the command line and ends the process with its exit code. */
 fun main(arguments: Array<String>) {
+    // Pictures are drawn without a display, also where one is there.
+    System.setProperty("java.awt.headless", "true")
     val cancellation = Cancellation()
     cancellation.listenToInterrupts()
     val terminal = Terminal.ofProcess()

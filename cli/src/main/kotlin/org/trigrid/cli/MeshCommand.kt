@@ -1,9 +1,10 @@
 package org.trigrid.cli
 
-import org.trigrid.MeshGenerator
 import org.trigrid.MeshOptions
-import org.trigrid.MeshResult
+import org.trigrid.io.AtomicFile
+import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
+import org.trigrid.picture.Pictures
 import org.trigrid.project.DomainInput
 import org.trigrid.project.DomainInputs
 import picocli.CommandLine.Command
@@ -15,7 +16,6 @@ import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Spec
 import java.nio.file.Path
 import java.util.concurrent.Callable
-import kotlin.io.path.writeText
 
 /** Meshes a domain and writes the mesh, and a report and a picture where they are asked for. */
 @Command(
@@ -63,62 +63,50 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
         checkArguments()
         val clock = RunClock()
         val inputs = clock.reading { InputFailure.naming(input) { DomainInputs.read(input, inputOptions) } }
-        val reports = inputs.mapIndexed { i, domain ->
-            val suffix = if (inputs.size == 1) "" else "-${i + 1}"
-            mesh(domain, suffix, if (i == 0) clock else RunClock())
-        }
-        writeReport(reports)
+        val figures = inputs.mapIndexed { i, domain -> mesh(domain, i, inputs.size, if (i == 0) clock else RunClock()) }
+        writeReport(figures)
         return ExitCodes.DONE
     }
 
     /** Finds out before the work starts what would only fail after it. */
     private fun checkArguments() {
         meshing.over(MeshOptions.DEFAULT, spec.commandLine())
-        if (format !in FORMATS) throw ParameterException(spec.commandLine(), "--format must be 2.2 or 4.1, not $format")
-        ReplacingFile.checkPlace(output)
+        meshFormat()
+        OutputPlace.check(output)
         picture?.let {
             PictureOutput.checkName(it, spec.commandLine())
-            ReplacingFile.checkPlace(it)
+            OutputPlace.check(it)
         }
-        report?.let { if (it != STANDARD_OUTPUT) ReplacingFile.checkPlace(Path.of(it)) }
+        report?.let { if (it != STANDARD_OUTPUT) OutputPlace.check(Path.of(it)) }
     }
 
-    private fun mesh(domain: DomainInput, suffix: String, clock: RunClock): MeshFigures {
-        val result = generate(domain)
-        val file = withSuffix(output, suffix)
+    private fun meshFormat(): MeshFormat = MeshFormat.ofVersion(format)
+        ?: throw ParameterException(spec.commandLine(), "--format must be 2.2 or 4.1, not $format")
+
+    private fun mesh(given: DomainInput, index: Int, count: Int, clock: RunClock): MeshFigures {
+        val options = meshing.over(given.options, spec.commandLine())
+        val result = DomainMesher(session, input).mesh(given.domain, options)
+        val file = NumberedFiles.name(output, index, count)
         clock.writing {
-            ReplacingFile.write(file) { MeshFormats.write(result.mesh, it, format) }
-            picture?.let { PictureOutput.writeMesh(result.mesh, withSuffix(it, suffix)) }
+            MeshFormats.write(result.mesh, file, meshFormat())
+            picture?.let {
+                PictureOutput.write(Pictures.mesh(result.mesh), NumberedFiles.name(it, index, count), PictureOutput.DEFAULT_PIXELS)
+            }
         }
-        val figures = MeshFigures(domain.name, result.report, clock)
+        val figures = MeshFigures(given.name, result.report, clock)
         if (report != STANDARD_OUTPUT) session.terminal.out.println("$file: ${figures.summary()}")
         return figures
-    }
-
-    private fun generate(domain: DomainInput): MeshResult {
-        val options = meshing.over(domain.options, spec.commandLine())
-        return ProgressBar(session.terminal, session.cancellation).use { bar ->
-            InputFailure.naming(input) { MeshGenerator.generate(domain.domain, options, bar) }
-        }
     }
 
     private fun writeReport(figures: List<MeshFigures>) {
         val target = report ?: return
         val text = ReportJson.text(figures)
         if (target == STANDARD_OUTPUT) session.terminal.out.print(text)
-        else ReplacingFile.write(Path.of(target)) { it.writeText(text) }
-    }
-
-    private fun withSuffix(file: Path, suffix: String): Path {
-        if (suffix.isEmpty()) return file
-        val name = file.fileName.toString()
-        val dot = name.lastIndexOf('.').let { if (it <= 0) name.length else it }
-        return file.resolveSibling(name.substring(0, dot) + suffix + name.substring(dot))
+        else AtomicFile.write(Path.of(target)) { it.write(text.toByteArray()) }
     }
 
     private companion object {
         const val STANDARD_OUTPUT = "-"
         const val DEFAULT_FORMAT = "2.2"
-        val FORMATS = setOf("2.2", "4.1")
     }
 }

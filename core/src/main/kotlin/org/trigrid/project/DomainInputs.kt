@@ -1,10 +1,10 @@
 package org.trigrid.project
 
 import org.trigrid.MeshOptions
-import org.trigrid.domain.EdgeExploder
 import org.trigrid.io.DomainFormats
 import java.io.IOException
 import java.nio.file.Path
+import org.trigrid.domain.Path as ShapePath
 
 /** Reads domains from any file that TriGrid knows: projects, and the polygon files of [DomainFormats]. */
 public object DomainInputs {
@@ -14,7 +14,7 @@ public object DomainInputs {
     public fun read(file: Path): List<DomainInput> = read(file, InputOptions.DEFAULT)
 
     /**
-     * All domains of [file], in its order; at least one.
+     * All domains of [file], in its order; at least one. A spacing asked for undoes the edits of a project's nodes.
      *
      * @throws org.trigrid.diagnostics.FileFormatException if the text is not what its format asks for.
      * @throws org.trigrid.diagnostics.InvalidShapeException if a shape cannot be exploded with the spacing.
@@ -23,8 +23,30 @@ public object DomainInputs {
     @JvmStatic
     @Throws(IOException::class)
     public fun read(file: Path, options: InputOptions): List<DomainInput> =
-        DomainFormats.read(file).map {
-            val domain = if (options.hasSpacing()) EdgeExploder.explode(it.domain, options.spacing, options.ratio) else it.domain
-            DomainInput(it.name, domain, MeshOptions.DEFAULT)
+        if (isProject(file)) listOf(fromProject(file, options)) else fromPolygons(file, options)
+
+    /** Whether the name of [file] is that of a project. */
+    @JvmStatic
+    public fun isProject(file: Path): Boolean = file.fileName.toString().endsWith(PROJECT_ENDING, ignoreCase = true)
+
+    private fun fromProject(file: Path, options: InputOptions): DomainInput {
+        val given = ProjectFile.read(file)
+        val asked = given.toBuilder().keepConnectors(given.keepsConnectors || options.keepConnectors)
+        if (options.hasSpacing()) asked.path(respaced(given.path, options))
+        val project = asked.build()
+        return DomainInput(file.fileName.toString().dropLast(PROJECT_ENDING.length), project.toDomain(), project.options)
+    }
+
+    private fun fromPolygons(file: Path, options: InputOptions): List<DomainInput> = DomainFormats.read(file).map {
+        val domain = if (options.hasSpacing()) it.domain.respaced(options.spacing, options.ratio) else it.domain
+        DomainInput(it.name, domain, MeshOptions.DEFAULT)
+    }
+
+    /** Every shape with the spacing and ratio asked for, as if its nodes had never been edited. */
+    private fun respaced(path: ShapePath, options: InputOptions): ShapePath =
+        (0 until path.shapeCount).fold(path) { changed, shape ->
+            changed.replaceShape(shape, changed.shape(shape).withSpacing(options.spacing).withRatio(options.ratio))
         }
+
+    private const val PROJECT_ENDING = ".trigrid.json"
 }

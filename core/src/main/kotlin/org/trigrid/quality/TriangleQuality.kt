@@ -1,5 +1,7 @@
 package org.trigrid.quality
 
+import org.trigrid.mesh.TriMesh
+
 /** Measures of one triangle from raw coordinates. */
 internal object TriangleQuality {
     private const val TWO_ROOT_3 = 3.4641016151377544
@@ -17,5 +19,13 @@ internal object TriangleQuality {
         val wx = cx - bx
         val wy = cy - by
         return TWO_ROOT_3 * (ux * vy - uy * vx) / (ux * ux + uy * uy + vx * vx + vy * vy + wx * wx + wy * wy)
+    }
+
+    /** [shape] of an element of a mesh. */
+    fun of(mesh: TriMesh, element: Int): Double {
+        val a = mesh.nodeOf(element, 0)
+        val b = mesh.nodeOf(element, 1)
+        val c = mesh.nodeOf(element, 2)
+        return shape(mesh.x(a), mesh.y(a), mesh.x(b), mesh.y(b), mesh.x(c), mesh.y(c))
     }
 }

@@ -1,0 +1,65 @@
+package org.trigrid.picture
+
+/** What a picture of a mesh or a domain shows. Immutable; made by [builder]. */
+public class PictureOptions private constructor(builder: Builder) {
+    /** Elements coloured by their quality, with a legend. Default false. */
+    @get:JvmName("quality")
+    public val quality: Boolean = builder.quality
+
+    /** Given nodes as small donuts. Default true for domains; a mesh shows them only if asked. */
+    @get:JvmName("nodes")
+    public val nodes: Boolean? = builder.nodes
+
+    /** Node numbers, where they fit. Default false. */
+    @get:JvmName("nodeNumbers")
+    public val nodeNumbers: Boolean = builder.nodeNumbers
+
+    /** Element numbers, where they fit. Default false. */
+    @get:JvmName("elementNumbers")
+    public val elementNumbers: Boolean = builder.elementNumbers
+
+    /** Number of the first node and the first element. Default 1, as in mesh files and in the paper; memory has 0. */
+    @get:JvmName("firstNumber")
+    public val firstNumber: Int = builder.firstNumber
+
+    /** Longer side of the drawing without its margins and legend, in units of the picture. Default 1000. */
+    @get:JvmName("size")
+    public val size: Int = builder.size
+
+    /** Collects options; the same builder may build several times. */
+    public class Builder internal constructor() {
+        internal var quality = false
+        internal var nodes: Boolean? = null
+        internal var nodeNumbers = false
+        internal var elementNumbers = false
+        internal var firstNumber = 1
+        internal var size = 1000
+
+        public fun quality(value: Boolean): Builder = apply { quality = value }
+
+        public fun nodes(value: Boolean): Builder = apply { nodes = value }
+
+        public fun nodeNumbers(value: Boolean): Builder = apply { nodeNumbers = value }
+
+        public fun elementNumbers(value: Boolean): Builder = apply { elementNumbers = value }
+
+        public fun firstNumber(value: Int): Builder = apply { firstNumber = value }
+
+        /** @throws IllegalArgumentException unless from 100 to 20000. */
+        public fun size(value: Int): Builder = apply {
+            require(value in 100..20_000) { "size must be from 100 to 20000, not $value" }
+            size = value
+        }
+
+        public fun build(): PictureOptions = PictureOptions(this)
+    }
+
+    public companion object {
+        /** Lines only. */
+        @JvmField
+        public val DEFAULT: PictureOptions = Builder().build()
+
+        @JvmStatic
+        public fun builder(): Builder = Builder()
+    }
+}
