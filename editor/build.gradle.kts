@@ -21,8 +21,12 @@ dependencies {
     implementation("${libs.javafx.base.get().module}:$javafxVersion:$javafxPlatform")
     implementation("${libs.javafx.graphics.get().module}:$javafxVersion:$javafxPlatform")
     implementation("${libs.javafx.controls.get().module}:$javafxVersion:$javafxPlatform")
+    implementation(libs.atlantafx.base)
 
     testImplementation(libs.junit.jupiter)
+    testImplementation(libs.archunit)
+    testImplementation(libs.testfx.core)
+    testImplementation(libs.testfx.junit)
     testRuntimeOnly(libs.junit.platform.launcher)
 }
 
