@@ -1,0 +1,42 @@
+package org.trigrid.editor.document
+
+import org.trigrid.domain.Path
+import org.trigrid.project.NodeLoop
+import org.trigrid.project.Project
+
+/**
+ * All that is edited and undone: the project and the picture behind it. Immutable, so an earlier document is kept by
+ * keeping it, and other threads read one without being asked to wait.
+ */
+internal class EditorDocument(val project: Project, val picture: BackgroundPicture? = null) {
+    val path: Path get() = project.path
+    val loops: List<NodeLoop> get() = project.loops
+
+    /** The nodes of the path, then those of the loops. */
+    val nodes: DocumentNodes by lazy(LazyThreadSafetyMode.PUBLICATION) { DocumentNodes(project) }
+
+    /** What is drawn: the walks of the path and the loops. */
+    val outlines: List<Outline> by lazy(LazyThreadSafetyMode.PUBLICATION) { Outline.of(project, nodes) }
+
+    val isEmpty: Boolean get() = path.shapeCount == 0 && loops.isEmpty()
+
+    /** Names of the boundary groups in use, in order of first use. */
+    fun groups(): List<String> {
+        val names = LinkedHashSet<String>()
+        for (outline in outlines) names.addAll(outline.tags)
+        return names.toList()
+    }
+
+    fun with(change: Project.Builder.() -> Project.Builder): EditorDocument =
+        EditorDocument(project.toBuilder().change().build(), picture)
+
+    fun withPath(value: Path): EditorDocument = with { path(value) }
+
+    fun withLoops(value: List<NodeLoop>): EditorDocument = with { loops(value) }
+
+    fun withPicture(value: BackgroundPicture?): EditorDocument = EditorDocument(project, value)
+
+    companion object {
+        val EMPTY: EditorDocument = EditorDocument(Project.builder().build())
+    }
+}
