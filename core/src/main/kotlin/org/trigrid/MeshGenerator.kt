@@ -8,13 +8,14 @@ import org.trigrid.diagnostics.TooManyElementsException
 import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
 import org.trigrid.front.FrontMesher
-import org.trigrid.improve.MeshImprover
+import org.trigrid.improve.MeshImprovement
 import org.trigrid.mesh.MeshFreezer
 import org.trigrid.mesh.TriMesh
 import org.trigrid.numbering.NumberingMethod
 import org.trigrid.numbering.NumberingMetrics
 import org.trigrid.numbering.Numbering
 import org.trigrid.quality.QualityReport
+import org.trigrid.spacing.ConstrainedDelaunay
 import org.trigrid.spacing.SizeFields
 
 /**
@@ -49,8 +50,9 @@ public object MeshGenerator {
         if (faults.isNotEmpty()) throw InvalidDomainException(faults)
 
         run.begin(Stage.SIZES)
-        val sizes = SizeFields.create(domain, options)
-        val expected = expectedElements(domain)
+        val triangulation = ConstrainedDelaunay.of(domain)
+        val sizes = SizeFields.create(domain, options, triangulation)
+        val expected = SizeFields.estimateElements(triangulation, sizes)
         if (expected > options.maxElements) throw TooManyElementsException(tooMany(expected, options))
 
         run.begin(Stage.FRONT)
@@ -58,7 +60,7 @@ public object MeshGenerator {
 
         run.begin(Stage.IMPROVE)
         if (options.improve) {
-            MeshImprover(raw.mesh, sizes, options.smoothingTolerance).run { if (!run.update(Stage.IMPROVE, it)) throw MeshingCancelledException() }
+            MeshImprovement.improve(raw.mesh, options) { if (!run.update(Stage.IMPROVE, it)) throw MeshingCancelledException() }
         }
         val made = MeshFreezer.freeze(raw.mesh, domain)
 
@@ -77,11 +79,6 @@ public object MeshGenerator {
 
     private fun renumber(mesh: TriMesh, method: NumberingMethod): TriMesh =
         if (method == NumberingMethod.NONE) mesh else Numbering.renumber(mesh, method)
-
-    private fun expectedElements(domain: Domain): Double {
-        val h = SizeFields.nodeSizes(domain).average()
-        return 2.31 * domain.area / (h * h)
-    }
 
     private fun tooMany(expected: Double, options: MeshOptions): String {
         val megabytes = expected * BYTES_PER_ELEMENT / 1e6

@@ -149,7 +149,7 @@ class MeshCommandTest {
 
     @Test
     fun `more elements than allowed are refused in one line`() {
-        val outcome = Outcome.of("mesh", Samples.plate(folder), "-o", output, "--spacing", "1e-5")
+        val outcome = Outcome.of("mesh", Samples.plate(folder), "-o", output, "--spacing", "1e-4")
         assertEquals(ExitCodes.INVALID_DOMAIN, outcome.code)
         assertEquals(1, outcome.errorLines.size, outcome.err)
         assertTrue("elements" in outcome.err, outcome.err)

@@ -1,5 +1,7 @@
 package org.trigrid.domain
 
+import org.trigrid.geometry.IntList
+
 /** Where each loop begins among the boundary segments of a domain, which come loop by loop. */
 internal class DomainLoops(segments: IntArray, boundaryCount: Int) {
     /** First segment of each loop, and the boundary segments' count at the end. */

@@ -6,6 +6,7 @@ import org.locationtech.jts.geom.Envelope
 import org.locationtech.jts.geom.GeometryFactory
 import org.locationtech.jts.geom.Location
 import org.locationtech.jts.index.strtree.STRtree
+import org.trigrid.geometry.IntList
 
 /**
  * The domain of undirected segments that meet in nodes only: all that they close off from the outside, less each face with

@@ -3,6 +3,7 @@ package org.trigrid.domain
 import org.locationtech.jts.algorithm.RobustLineIntersector
 import org.locationtech.jts.geom.Coordinate
 import org.trigrid.diagnostics.FaultKind
+import org.trigrid.geometry.IntList
 
 /**
  * Faults between two segments: crossing, touching, overlap and spikes.

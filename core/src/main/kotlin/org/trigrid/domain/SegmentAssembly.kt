@@ -1,5 +1,7 @@
 package org.trigrid.domain
 
+import org.trigrid.geometry.IntList
+
 /** Directed segments on their way to a [Domain]: ordered into loops, turned, joined by embedded ones, nodes renumbered. */
 internal class SegmentAssembly(
     /** Not modified. */

@@ -1,5 +1,8 @@
 package org.trigrid.domain
 
+import org.trigrid.geometry.InsertionOrder
+import org.trigrid.geometry.IntList
+
 /**
  * Boxes of segments in a packed tree, to find the pairs and places that may touch.
  *
@@ -133,30 +136,12 @@ internal class SegmentTree(
     }
 
     private fun hilbertOrder(): IntArray {
-        var minX = Double.POSITIVE_INFINITY
-        var minY = Double.POSITIVE_INFINITY
-        var maxX = Double.NEGATIVE_INFINITY
-        var maxY = Double.NEGATIVE_INFINITY
-        for (node in segments) {
-            minX = Math.min(minX, xy[2 * node])
-            maxX = Math.max(maxX, xy[2 * node])
-            minY = Math.min(minY, xy[2 * node + 1])
-            maxY = Math.max(maxY, xy[2 * node + 1])
+        val middles = DoubleArray(2 * count)
+        for (i in middles.indices) {
+            val segment = i and -2
+            middles[i] = xy[2 * segments[segment] + (i and 1)] / 2 + xy[2 * segments[segment + 1] + (i and 1)] / 2
         }
-        val keys = LongArray(count) {
-            val a = 2 * segments[2 * it]
-            val b = 2 * segments[2 * it + 1]
-            val column = cell(xy[a] / 2 + xy[b] / 2, minX, maxX)
-            val row = cell(xy[a + 1] / 2 + xy[b + 1] / 2, minY, maxY)
-            (HilbertCurve.key(column, row) shl 32) or it.toLong()
-        }
-        keys.sort()
-        return IntArray(count) { keys[it].toInt() }
-    }
-
-    private fun cell(value: Double, min: Double, max: Double): Int {
-        val share = (value / 2 - min / 2) / (max / 2 - min / 2)
-        return if (share > 0) Math.min(HilbertCurve.SIDE - 1, (share * HilbertCurve.SIDE).toInt()) else 0
+        return InsertionOrder.alongCurve(middles)
     }
 
     companion object {

@@ -16,7 +16,7 @@ internal object InsertionOrder {
     @JvmStatic
     fun of(xy: DoubleArray): IntArray = rounds(alongCurve(xy))
 
-    /** Point numbers along a Hilbert curve over the square round all points. */
+    /** Point numbers along a Hilbert curve (Hilbert 1891, Math. Ann. 38:459-460) over the square round all points. */
     @JvmStatic
     fun alongCurve(xy: DoubleArray): IntArray {
         val count = xy.size / 2
@@ -30,10 +30,11 @@ internal object InsertionOrder {
             minY = Math.min(minY, xy[2 * i + 1])
             maxY = Math.max(maxY, xy[2 * i + 1])
         }
-        val extent = Math.max(maxX - minX, maxY - minY)
+        // Halves, as the whole extent of finite points may be beyond the range of doubles.
+        val extent = Math.max(maxX / 2 - minX / 2, maxY / 2 - minY / 2)
         val scale = if (extent > 0) ((1 shl BITS) - 1) / extent else 0.0
         val keys = LongArray(count) { i ->
-            curvePosition(((xy[2 * i] - minX) * scale).toInt(), ((xy[2 * i + 1] - minY) * scale).toInt())
+            curvePosition(((xy[2 * i] / 2 - minX / 2) * scale).toInt(), ((xy[2 * i + 1] / 2 - minY / 2) * scale).toInt())
         }
         return sortedByKey(keys)
     }

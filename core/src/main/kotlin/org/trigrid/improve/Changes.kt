@@ -6,21 +6,17 @@ import org.trigrid.mesh.MutableMesh
 internal class Changes(private val mesh: MutableMesh) {
     private var flags = ByteArray(mesh.nodeCount)
 
-    /** The star of [node] changed. */
-    fun touch(node: Int) {
-        if (node >= flags.size) flags = flags.copyOf(node + node / 2 + 16)
-        flags[node] = ALL
-    }
+    /** The elements around [node] have changed. */
+    fun touch(node: Int) = touch(node, SURGERY or SMOOTHING or TRIAL)
 
     fun touchAll() {
-        if (flags.size < mesh.nodeCount) flags = flags.copyOf(mesh.nodeCount)
-        flags.fill(ALL)
+        for (node in 0 until mesh.nodeCount) touch(node)
     }
 
-    /** A ring node moved: only [SMOOTHING] and [SURGERY] in as far as asked. */
-    fun touch(node: Int, purpose: Int) {
+    /** The elements around [node] have changed in a way that matters for [purposes] alone. */
+    fun touch(node: Int, purposes: Int) {
         if (node >= flags.size) flags = flags.copyOf(node + node / 2 + 16)
-        flags[node] = (flags[node].toInt() or purpose).toByte()
+        flags[node] = (flags[node].toInt() or purposes).toByte()
     }
 
     /** Whether [node] is to be looked at for [purpose]; afterwards it is not. */
@@ -32,10 +28,23 @@ internal class Changes(private val mesh: MutableMesh) {
         return true
     }
 
+    /** Starts a pass of trials: what has been touched up to now is due, and stays so while the pass lasts. */
+    fun beginTrials() {
+        for (node in flags.indices) {
+            val flag = flags[node].toInt()
+            val kept = flag and (TRIAL or DUE).inv()
+            flags[node] = (if (flag and TRIAL != 0) kept or DUE else kept).toByte()
+        }
+    }
+
+    /** Whether [node] was touched before or during this pass of trials. */
+    fun isDue(node: Int): Boolean = node >= flags.size || flags[node].toInt() and (TRIAL or DUE) != 0
+
     companion object {
         const val SMOOTHING: Int = 1
         const val SURGERY: Int = 2
         const val WORST: Int = 4
-        private const val ALL: Byte = 3
+        private const val TRIAL: Int = 8
+        private const val DUE: Int = 16
     }
 }

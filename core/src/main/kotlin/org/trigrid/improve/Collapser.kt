@@ -1,9 +1,5 @@
 package org.trigrid.improve
 
-import org.trigrid.improve.Connectivity.Companion.next
-import org.trigrid.improve.Connectivity.Companion.previous
-import org.trigrid.quality.TriangleQuality
-
 /**
  * Removes free nodes by pulling them into a neighbour: nodes of low valence, short edges, and the 5-5 edges between two
  * nodes of valence 7 or more, where the surplus and the lack cancel.
@@ -21,82 +17,13 @@ internal class Collapser(
 
     /** Removes the node if that pays. */
     fun tryNode(node: Int): Boolean {
-        val valence = connectivity.valence
         star.gather(connectivity, node)
-        val count = star.count
-        val xy = mesh.xy
-        var meanLength = 0.0
-        for (i in 0 until count) {
-            meanLength += Math.hypot(star.xy[2 * i] - star.x, star.xy[2 * i + 1] - star.y)
-        }
-        meanLength /= count * mesh.sizes[node]
-        val own = -(count - 6.0) * (count - 6.0)
-        var best = -1
-        var bestScore = -EQUAL
-        for (i in 0 until count) {
-            val m = star.ring[i]
-            val left = star.ring[if (i + 1 == count) 0 else i + 1]
-            val right = star.ring[if (i == 0) count - 1 else i - 1]
-            if (isTooFew(left) || isTooFew(right)) continue
-            val length = Math.hypot(xy[2 * m] - star.x, xy[2 * m + 1] - star.y) / mesh.sizes[node]
-            val change = own + ideal.change(m, valence[m], valence[m] + count - 4) +
-                ideal.change(left, valence[left], valence[left] - 1) + ideal.change(right, valence[right], valence[right] - 1)
-            val score = change + LENGTH_WEIGHT * (0.5 * (length + meanLength) - LENGTH_PIVOT)
-            if (score < bestScore) {
-                bestScore = score
-                best = i
-            }
-        }
-        return best >= 0 && collapse(node, best)
-    }
-
-    private fun collapse(node: Int, at: Int): Boolean {
+        val at = best(node)
+        if (at < 0) return false
         val m = star.ring[at]
-        val count = star.count
-        var before = star.minQuality(star.x, star.y)
-        merged.clear()
-        for (k in 1 until count) {
-            val i = (at + k) % count
-            merged.add(star.ring[i], star.xy[2 * i], star.xy[2 * i + 1])
-        }
-        val after: Double
-        if (connectivity.isFree(m)) {
-            other.gather(connectivity, m)
-            before = minOf(before, other.minQuality(other.x, other.y))
-            var start = 0
-            while (other.ring[start] != node) start++
-            // From the node, the ring of m runs over the right neighbour to the left one.
-            for (k in 2..other.count - 2) {
-                val i = (start + k) % other.count
-                merged.add(other.ring[i], other.xy[2 * i], other.xy[2 * i + 1])
-            }
-            merged.close()
-            merged.x = 0.5 * (star.x + other.x)
-            merged.y = 0.5 * (star.y + other.y)
-            if (merged.minQuality(merged.x, merged.y) <= 0.0) merged.centre()
-            merged.newtonStep()
-            merged.newtonStep()
-            after = merged.minQuality(merged.x, merged.y)
-        } else {
-            merged.x = mesh.xy[2 * m]
-            merged.y = mesh.xy[2 * m + 1]
-            var least = 2.0
-            for (i in 0..count - 3) {
-                val q = TriangleQuality.shape(
-                    merged.x, merged.y, merged.xy[2 * i], merged.xy[2 * i + 1], merged.xy[2 * i + 2], merged.xy[2 * i + 3],
-                )
-                if (q < least) least = q
-            }
-            after = least
-        }
-        if (after < Star.SURELY_POSITIVE || !(after >= before || after > LEAST_QUALITY && after > LEAST_SHARE * before)) return false
-        for (k in 0 until merged.count) {
-            val i = merged.ring[k]
-            if (Math.hypot(merged.xy[2 * k] - merged.x, merged.xy[2 * k + 1] - merged.y) > LONGEST * 0.5 * (mesh.sizes[i] + mesh.sizes[m])) return false
-        }
-        var h = connectivity.outgoing[node]
-        while (mesh.elements[next(h)] != m) h = mesh.twins[previous(h)]
-        connectivity.collapse(h)
+        merge(m, at)
+        if (!isGood(m, at)) return false
+        connectivity.collapse(connectivity.halfEdge(node, m))
         for (k in 0 until merged.count) changes.touch(merged.ring[k])
         changes.touch(m)
         if (connectivity.isFree(m)) {
@@ -109,18 +36,96 @@ internal class Collapser(
         return true
     }
 
-    private fun isTooFew(node: Int): Boolean = connectivity.valence[node] <= if (connectivity.isFree(node)) 3 else 1
+    /** Index in the ring of the neighbour that it pays most to pull the node into, by valences and lengths, or -1. */
+    private fun best(node: Int): Int {
+        val valence = connectivity.valence
+        val count = star.count
+        val size = mesh.sizes[node]
+        val meanLength = star.meanDistance() / size
+        val own = ideal.change(node, count, 6)
+        var best = -1
+        var bestScore = -EQUAL
+        for (i in 0 until count) {
+            val m = star.ring[i]
+            val left = star.ring[if (i + 1 == count) 0 else i + 1]
+            val right = star.ring[if (i == 0) count - 1 else i - 1]
+            if (connectivity.isAtLeast(left) || connectivity.isAtLeast(right)) continue
+            val change = own + ideal.change(m, valence[m], valence[m] + count - 4) +
+                ideal.change(left, valence[left], valence[left] - 1) + ideal.change(right, valence[right], valence[right] - 1)
+            val length = 0.5 * (star.distance(i) / size + meanLength)
+            val score = change + LENGTH_WEIGHT * (length - 1)
+            if (score < bestScore) {
+                bestScore = score
+                best = i
+            }
+        }
+        return best
+    }
 
-    companion object {
-        private const val EQUAL = 1e-9
-        private const val LEAST_QUALITY = 0.35
-        private const val LEAST_SHARE = 0.6
+    /** Makes the ring of [m] after the collapse and, if it is free, finds its new place. */
+    private fun merge(m: Int, at: Int) {
+        merged.clear()
+        for (k in 1 until star.count) addTo(merged, star, (at + k) % star.count)
+        if (!connectivity.isFree(m)) {
+            merged.x = mesh.xy[2 * m]
+            merged.y = mesh.xy[2 * m + 1]
+            return
+        }
+        other.gather(connectivity, m)
+        // The ring of m holds the node between the left and the right neighbour, which are in the ring already.
+        val right = merged.ring[merged.count - 1]
+        var start = 0
+        while (other.ring[start] != right) start++
+        for (k in 1..other.count - 3) addTo(merged, other, (start + k) % other.count)
+        merged.close()
+        merged.x = 0.5 * (star.x + other.x)
+        merged.y = 0.5 * (star.y + other.y)
+        if (merged.minQuality() <= 0.0) merged.centre()
+        merged.newtonStep(steep = false)
+        merged.newtonStep(steep = false)
+    }
+
+    private fun addTo(ring: Star, from: Star, i: Int) = ring.add(from.ring[i], from.xy[2 * i], from.xy[2 * i + 1])
+
+    /** Compares the elements that go with those that come, by their least and mean q and their longest edge. */
+    private fun isGood(m: Int, at: Int): Boolean {
+        var before = star.minQuality()
+        var sumBefore = star.sumQuality()
+        var countBefore = star.count
+        if (connectivity.isFree(m)) {
+            before = Math.min(before, other.minQuality())
+            sumBefore += other.sumQuality() - star.quality(at) - star.quality(if (at == 0) star.count - 1 else at - 1)
+            countBefore += other.count - 2
+        }
+        var after = 2.0
+        var sumAfter = 0.0
+        // A fixed node gets a fan of elements, a free one a closed star.
+        for (i in 0 until countBefore - 2) {
+            val q = merged.quality(i)
+            after = Math.min(after, q)
+            sumAfter += q
+        }
+        if (!QualityGuard.allows(before, after, LEAST_QUALITY, LEAST_SHARE)) return false
+        if (sumAfter / (countBefore - 2) < sumBefore / countBefore - MEAN_SLACK) return false
+        for (i in 0 until merged.count) {
+            val size = 0.5 * (mesh.sizes[merged.ring[i]] + mesh.sizes[m])
+            if (merged.distance(i) > LONGEST * size) return false
+        }
+        return true
+    }
+
+    private companion object {
+        const val EQUAL = 1e-9
+        const val LEAST_QUALITY = 0.7
+        const val LEAST_SHARE = 0.9
+
+        /** The mean q may fall by this much; smoothing regains it. */
+        const val MEAN_SLACK = 0.015
 
         /** No edge may grow beyond this times its size. */
-        private const val LONGEST = 1.6
+        const val LONGEST = 1.6
 
-        /** Valence changes weighed against edge length over size. */
-        @JvmField var LENGTH_WEIGHT = 4.0
-        @JvmField var LENGTH_PIVOT = 1.0
+        /** What an edge of twice its wanted length weighs in squared deviations of valences. */
+        const val LENGTH_WEIGHT = 4.0
     }
 }

@@ -41,10 +41,20 @@ internal class Connectivity(@JvmField val mesh: MutableMesh) {
     /** Whether a node may move or go. */
     fun isFree(node: Int): Boolean = node >= mesh.fixedNodeCount
 
+    /** Whether the node has so few elements that it must not lose one: 3 around a free node, 1 at a fixed one. */
+    fun isAtLeast(node: Int): Boolean = valence[node] <= if (isFree(node)) 3 else 1
+
+    /** The half-edge from a free node to its neighbour [to]. */
+    fun halfEdge(from: Int, to: Int): Int {
+        var h = outgoing[from]
+        while (mesh.elements[next(h)] != to) h = mesh.twins[previous(h)]
+        return h
+    }
+
     /** Whether the edge lies inside the domain and is no embedded segment, so that it may be flipped. */
     fun isFlippable(h: Int): Boolean {
         if (mesh.twins[h] < 0) return false
-        return mesh.embedded.isEmpty || !mesh.isEmbedded(mesh.elements[h], mesh.elements[next(h)])
+        return !mesh.isEmbedded(mesh.elements[h], mesh.elements[next(h)])
     }
 
     /**
@@ -122,6 +132,43 @@ internal class Connectivity(@JvmField val mesh: MutableMesh) {
         deadNodes[deadNodeCount++] = n
         bury(h / 3)
         bury(g / 3)
+    }
+
+    /**
+     * Takes back [collapse] of [h] as long as nothing has happened since: [h] ran from [n], of wanted length [size], to
+     * [m], between the nodes [left] and [right].
+     */
+    fun undoCollapse(h: Int, n: Int, m: Int, left: Int, right: Int, size: Double) {
+        val elements = mesh.elements
+        val twins = mesh.twins
+        // The links of the dead elements still tell what lay around them.
+        val g = twins[h]
+        deadNodeCount--
+        deadElementCount -= 2
+        elements[h] = n
+        elements[next(h)] = m
+        elements[previous(h)] = left
+        elements[g] = m
+        elements[next(g)] = n
+        elements[previous(g)] = right
+        mesh.link(next(h), twins[next(h)])
+        mesh.link(previous(h), twins[previous(h)])
+        mesh.link(next(g), twins[next(g)])
+        mesh.link(previous(g), twins[previous(g)])
+        var count = 0
+        var at = h
+        do {
+            elements[at] = n
+            count++
+            at = twins[previous(at)]
+        } while (at != h)
+        outgoing[n] = h
+        outgoing[m] = g
+        valence[n] = count
+        valence[m] -= count - 4
+        valence[left]++
+        valence[right]++
+        mesh.sizes[n] = size
     }
 
     /** Puts a new node on the inner edge [h], which becomes its first half, and returns the node. Its valence is 4. */

@@ -18,12 +18,18 @@ internal class Flipper(
     /** Whether flips follow the quality alone, no longer the valences. */
     var byQuality: Boolean = false
 
-    fun pushAll() {
+    /** Looks at all edges and at those that flips change. */
+    fun runAll() {
+        pushAll()
+        run()
+    }
+
+    private fun pushAll() {
         for (h in 3 * mesh.elementCount - 1 downTo 0) if (mesh.elements[h - h % 3] >= 0 && mesh.twins[h] > h) push(h)
     }
 
     /** Adds the edges of the element of [h]. */
-    fun pushElement(h: Int) {
+    private fun pushElement(h: Int) {
         val t = h - h % 3
         push(t)
         push(t + 1)
@@ -40,9 +46,8 @@ internal class Flipper(
         } while (h != first && h >= 0)
     }
 
-    /** Works the list off; returns the number of flips. */
-    fun run(): Int {
-        var flips = 0
+    /** Works the list off. */
+    fun run() {
         while (height > 0) {
             val h = stack[--height]
             waiting[h] = 0
@@ -50,7 +55,6 @@ internal class Flipper(
             if (!isFlipGood(h)) continue
             val g = mesh.twins[h]
             connectivity.flip(h)
-            flips++
             changes.touch(mesh.elements[h])
             changes.touch(mesh.elements[g])
             changes.touch(mesh.elements[previous(h)])
@@ -60,7 +64,6 @@ internal class Flipper(
             push(g)
             push(previous(g))
         }
-        return flips
     }
 
     private fun push(h: Int) {
@@ -79,41 +82,31 @@ internal class Flipper(
         val b = elements[g]
         val c = elements[previous(h)]
         val d = elements[previous(g)]
-        val valence = connectivity.valence
-        var gain = 0.0
-        if (!byQuality) {
-            gain = 2 * (valence[a] - ideal.of(a) + valence[b] - ideal.of(b) - valence[c] + ideal.of(c) - valence[d] + ideal.of(d)) - 4
-            if (gain < -EQUAL) return false
-        }
-        if (isTooFew(a) || isTooFew(b)) return false
-        val xy = mesh.xy
-        val ax = xy[2 * a]
-        val ay = xy[2 * a + 1]
-        val bx = xy[2 * b]
-        val by = xy[2 * b + 1]
-        val cx = xy[2 * c]
-        val cy = xy[2 * c + 1]
-        val dx = xy[2 * d]
-        val dy = xy[2 * d + 1]
+        val gain = if (byQuality) 0.0 else ideal.flipGain(connectivity.valence, a, b, c, d)
+        if (gain < -EQUAL) return false
+        if (connectivity.isAtLeast(a) || connectivity.isAtLeast(b)) return false
         // The quadrilateral runs a, d, b, c.
-        val after = minOf(TriangleQuality.shape(ax, ay, dx, dy, cx, cy), TriangleQuality.shape(bx, by, cx, cy, dx, dy))
+        val after = Math.min(quality(a, d, c), quality(b, c, d))
         if (after < Star.SURELY_POSITIVE) return false
-        val before = minOf(TriangleQuality.shape(ax, ay, bx, by, cx, cy), TriangleQuality.shape(bx, by, ax, ay, dx, dy))
+        val before = Math.min(quality(a, b, c), quality(b, a, d))
         val pays = if (gain > EQUAL) {
-            after >= before || after > LEAST_QUALITY && after > LEAST_SHARE * before
+            QualityGuard.allows(before, after, LEAST_QUALITY, LEAST_SHARE)
         } else {
             after > before * (1 + EQUAL)
         }
-        return pays && (mesh.embedded.isEmpty || !mesh.isEmbedded(a, b))
+        return pays && !mesh.isEmbedded(a, b)
     }
 
-    private fun isTooFew(node: Int): Boolean = connectivity.valence[node] <= if (connectivity.isFree(node)) 3 else 1
+    private fun quality(a: Int, b: Int, c: Int): Double {
+        val xy = mesh.xy
+        return TriangleQuality.shape(xy[2 * a], xy[2 * a + 1], xy[2 * b], xy[2 * b + 1], xy[2 * c], xy[2 * c + 1])
+    }
 
-    companion object {
-        private const val EQUAL = 1e-9
+    private companion object {
+        const val EQUAL = 1e-9
 
         /** A flip for the valences' sake may lower the quality, but not below these. */
-        private const val LEAST_QUALITY = 0.35
-        private const val LEAST_SHARE = 0.6
+        const val LEAST_QUALITY = 0.35
+        const val LEAST_SHARE = 0.6
     }
 }

@@ -33,7 +33,17 @@ internal class IdealValence(mesh: MutableMesh) {
         return (to - ideal) * (to - ideal) - (from - ideal) * (from - ideal)
     }
 
-    companion object {
-        private const val SIXTY_DEGREES = Math.PI / 3
+    /**
+     * By how much the flip of edge a-b into c-d lowers the sum of the squared deviations; > 0 is good, and whole even
+     * numbers unless a boundary node takes part.
+     */
+    fun flipGain(valence: IntArray, a: Int, b: Int, c: Int, d: Int): Double {
+        val tooMany = (valence[a] - of(a)) + (valence[b] - of(b))
+        val tooFew = (valence[c] - of(c)) + (valence[d] - of(d))
+        return 2 * (tooMany - tooFew) - 4
+    }
+
+    private companion object {
+        const val SIXTY_DEGREES = Math.PI / 3
     }
 }

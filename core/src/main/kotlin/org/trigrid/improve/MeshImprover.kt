@@ -1,57 +1,81 @@
 package org.trigrid.improve
 
 import org.trigrid.mesh.MutableMesh
-import org.trigrid.spacing.SizeField
 
-/** Turns the raw mesh of the front into a good one. */
+/**
+ * Turns the raw mesh of the front into a good one: rounds of surgery led by the valences with smoothing in between,
+ * trials led by the quality, and a care for the worst elements at the end.
+ *
+ * Fixed nodes, boundary segments and embedded ones stay as they are; every element stays positive. The sizes at the
+ * mesh's nodes steer lengths and count. Deterministic, and blind to the scale of the coordinates.
+ */
 internal class MeshImprover(
     private val mesh: MutableMesh,
-    @Suppress("unused") private val sizes: SizeField?,
-    private val tolerance: Double,
+    /** Smoothing takes a move below this part of the node's size for none. */
+    tolerance: Double,
 ) {
-    fun run(progress: (Double) -> Unit) {
-        val connectivity = Connectivity(mesh)
-        val ideal = IdealValence(mesh)
-        val changes = Changes(mesh)
-        val flipper = Flipper(connectivity, ideal, changes)
-        val collapser = Collapser(connectivity, ideal, changes, flipper)
-        val splitter = Splitter(connectivity, ideal, changes, flipper)
-        val smoother = Smoother(connectivity, changes, tolerance)
+    private val connectivity = Connectivity(mesh)
+    private val changes = Changes(mesh)
+    private val ideal = IdealValence(mesh)
+    private val flipper = Flipper(connectivity, ideal, changes)
+    private val collapser = Collapser(connectivity, ideal, changes, flipper)
+    private val splitter = Splitter(connectivity, ideal, changes, flipper)
+    private val smoother = Smoother(connectivity, changes, tolerance)
+    private val trials = PatchTrials(connectivity, ideal, changes, splitter)
+    private val worst = WorstSmoother(connectivity, changes, tolerance)
+
+    /** Improves the mesh and compacts it. [report] hears of the progress, from 0 to 1, and may throw to end the work. */
+    fun run(report: (Double) -> Unit) {
+        val progress = ImproveProgress(report)
+        progress.stage(0.05)
         changes.touchAll()
-        flipper.pushAll()
-        flipper.run()
-        for (round in 0 until ROUNDS) {
-            for (n in mesh.fixedNodeCount until mesh.nodeCount) {
-                if (connectivity.outgoing[n] < 0 || !changes.take(n, Changes.SURGERY)) continue
-                if (collapser.tryNode(n) || splitter.tryNode(n)) flipper.run()
-            }
-            for (sweep in 0 until SWEEPS) if (smoother.sweep() == 0) break
-            flipper.pushAll()
-            flipper.run()
-            progress(0.9 * (round + 1) / ROUNDS)
-        }
+        flipper.runAll()
+        for (round in 0 until ROUNDS) mendValences(progress)
+        for (round in 0 until TRIALS) tryPatches(progress)
         flipper.byQuality = true
-        flipper.pushAll()
-        flipper.run()
-        for (sweep in 0 until LAST_SWEEPS) if (smoother.sweep() == 0) break
-        flipper.pushAll()
-        flipper.run()
-        for (sweep in 0 until LAST_SWEEPS) if (smoother.sweep() == 0) break
-        for (round in 0 until WORST) {
-            smoother.worst(WORST_Q, WORST_SWEEPS)
-            flipper.pushAll()
-            if (flipper.run() == 0) break
+        for (round in 0 until LAST_ROUNDS) {
+            progress.stage(0.05)
+            flipper.runAll()
+            smoother.sweeps(LAST_SWEEPS, progress)
+        }
+        for (round in 0 until WORST_ROUNDS) {
+            progress.stage(0.03)
+            worst.run(progress)
+            flipper.runAll()
         }
         mesh.compact()
-        progress(1.0)
+        progress.finish()
     }
 
-    companion object {
-        @JvmField var ROUNDS = 4
-        @JvmField var SWEEPS = 3
-        @JvmField var LAST_SWEEPS = 5
-        @JvmField var WORST = 3
-        @JvmField var WORST_SWEEPS = 6
-        @JvmField var WORST_Q = 0.8
+    private fun mendValences(progress: ImproveProgress) {
+        progress.stage(0.05)
+        val count = mesh.nodeCount
+        for (n in mesh.fixedNodeCount until count) {
+            progress.tick(n, count)
+            if (connectivity.outgoing[n] < 0 || !changes.take(n, Changes.SURGERY)) continue
+            if (collapser.tryNode(n) || splitter.tryNode(n)) flipper.run()
+        }
+        progress.stage(0.05)
+        smoother.sweeps(SWEEPS, progress)
+        flipper.runAll()
+    }
+
+    private fun tryPatches(progress: ImproveProgress) {
+        changes.beginTrials()
+        progress.stage(0.08)
+        trials.tryLengths(progress)
+        progress.stage(0.06)
+        trials.tryFlips(progress)
+        progress.stage(0.02)
+        smoother.sweep(progress)
+    }
+
+    private companion object {
+        const val ROUNDS = 4
+        const val SWEEPS = 3
+        const val TRIALS = 2
+        const val LAST_ROUNDS = 2
+        const val LAST_SWEEPS = 5
+        const val WORST_ROUNDS = 3
     }
 }

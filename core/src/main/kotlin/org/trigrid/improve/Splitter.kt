@@ -1,11 +1,15 @@
 package org.trigrid.improve
 
-import org.trigrid.improve.Connectivity.Companion.next
-import org.trigrid.improve.Connectivity.Companion.previous
-
 /**
- * Adds nodes where a free node has too many neighbours or its edges are too long: the node is split in two along the
- * two ring nodes that lack an element most.
+ * Splits a free node in two where it has too many neighbours or its edges are too long, along the two ring nodes that
+ * lack an element most:
+ * ```
+ *     o---a---o             o---a---o
+ *    / \  |  / \           / \ / \ / \
+ *   o---node----o   ->    o-new---node-o
+ *    \ /  |  \ /           \ / \ / \ /
+ *     o---b---o             o---b---o
+ * ```
  */
 internal class Splitter(
     private val connectivity: Connectivity,
@@ -17,26 +21,55 @@ internal class Splitter(
     private val star = Star()
     private val near = Star()
     private val far = Star()
+    private var bestFirst = -1
+    private var bestSpan = 0
 
     /** Splits the node if that pays. */
     fun tryNode(node: Int): Boolean {
-        val d = connectivity.valence[node]
-        if (d < 6) return false
+        if (connectivity.valence[node] < LEAST_VALENCE) return false
         star.gather(connectivity, node)
-        var meanLength = 0.0
-        for (i in 0 until d) meanLength += Math.hypot(star.xy[2 * i] - star.x, star.xy[2 * i + 1] - star.y)
-        meanLength /= d * mesh.sizes[node]
-        var bestFirst = -1
-        var bestSpan = 0
-        var bestScore = -EQUAL - LENGTH_WEIGHT * (LENGTH_PIVOT - meanLength)
+        chooseEnds(node)
+        if (bestFirst < 0) return false
+        place(bestFirst, bestSpan)
+        if (!isGood()) return false
+        val made = split(node, bestFirst, bestSpan)
+        changes.touch(node)
+        changes.touch(made)
+        for (i in 0 until star.count) changes.touch(star.ring[i])
+        flipper.pushStar(node)
+        flipper.pushStar(made)
+        return true
+    }
+
+    /** Prepares the split of [node] across its edge to [towards], for [split]; false if the elements would be too bad. */
+    fun prepare(node: Int, towards: Int): Boolean {
+        if (connectivity.valence[node] < LEAST_VALENCE) return false
+        star.gather(connectivity, node)
+        var i = 0
+        while (star.ring[i] != towards) i++
+        bestSpan = star.count / 2
+        bestFirst = (i - bestSpan / 2 + star.count) % star.count
+        place(bestFirst, bestSpan)
+        return Math.min(near.minQuality(), far.minQuality()) > LEAST_PREPARED
+    }
+
+    /** Does what was prepared and returns the new node. */
+    fun split(node: Int): Int = split(node, bestFirst, bestSpan)
+
+    /** The ring node that will be next to both nodes, first or second one. */
+    fun end(second: Boolean): Int = star.ring[(bestFirst + if (second) bestSpan else 0) % star.count]
+
+    private fun chooseEnds(node: Int) {
+        val d = star.count
         val valence = connectivity.valence
+        bestFirst = -1
+        var bestScore = -EQUAL - LENGTH_WEIGHT * (1 - star.meanDistance() / mesh.sizes[node])
         for (span in 3..d / 2) {
-            val mine = d - span + 2
-            val change = (span + 2 - 6.0) * (span + 2 - 6.0) + (mine - 6.0) * (mine - 6.0) - (d - 6.0) * (d - 6.0)
+            val own = ideal.change(node, d, d - span + 2) + ideal.change(node, 6, span + 2)
             for (first in 0 until d) {
                 val a = star.ring[first]
                 val b = star.ring[(first + span) % d]
-                val score = change + ideal.change(a, valence[a], valence[a] + 1) + ideal.change(b, valence[b], valence[b] + 1)
+                val score = own + ideal.change(a, valence[a], valence[a] + 1) + ideal.change(b, valence[b], valence[b] + 1)
                 if (score < bestScore) {
                     bestScore = score
                     bestFirst = first
@@ -44,56 +77,27 @@ internal class Splitter(
                 }
             }
         }
-        return bestFirst >= 0 && split(node, bestFirst, bestSpan)
     }
 
-    private fun split(node: Int, first: Int, span: Int): Boolean {
+    /** Finds places: the new node gets ring nodes [first] to [first] + [span], the old one the rest and both ends. */
+    private fun place(first: Int, span: Int) {
         val d = star.count
-        val before = star.minQuality(star.x, star.y)
-        // The new node gets ring nodes first .. first + span, the old one the rest and both ends.
         fill(near, first, span)
         fill(far, (first + span) % d, d - span)
-        val oldX = star.x
-        val oldY = star.y
-        near.centre()
-        far.centre()
-        near.x = 0.5 * (oldX + near.x)
-        near.y = 0.5 * (oldY + near.y)
-        far.x = 0.5 * (oldX + far.x)
-        far.y = 0.5 * (oldY + far.y)
-        near.add(node, far.x, far.y)
+        near.x = 0.5 * (star.x + near.x)
+        near.y = 0.5 * (star.y + near.y)
+        far.x = 0.5 * (star.x + far.x)
+        far.y = 0.5 * (star.y + far.y)
+        near.add(MADE, far.x, far.y)
         near.close()
-        far.add(-1, near.x, near.y)
+        far.add(MADE, near.x, near.y)
         far.close()
         for (round in 0..1) {
-            near.newtonStep()
-            setLast(far, near.x, near.y)
-            far.newtonStep()
-            setLast(near, far.x, far.y)
+            near.newtonStep(steep = false)
+            setLast(far, near)
+            far.newtonStep(steep = false)
+            setLast(near, far)
         }
-        val after = minOf(near.minQuality(near.x, near.y), far.minQuality(far.x, far.y))
-        if (after < Star.SURELY_POSITIVE || !(after >= before || after > LEAST_QUALITY && after > LEAST_SHARE * before)) return false
-        val middle = star.ring[(first + span / 2) % d]
-        var h = connectivity.outgoing[node]
-        while (mesh.elements[next(h)] != middle) h = mesh.twins[previous(h)]
-        val new = connectivity.split(h, near.x, near.y, mesh.sizes[node])
-        mesh.xy[2 * node] = far.x
-        mesh.xy[2 * node + 1] = far.y
-        // The new node has one ring node to either side of the middle; flips of the old node's edges give it the others.
-        for (k in span / 2 + 2..span) flipTo(node, star.ring[(first + k - 1) % d])
-        for (k in span / 2 - 2 downTo 0) flipTo(node, star.ring[(first + k + 1) % d])
-        changes.touch(node)
-        changes.touch(new)
-        for (i in 0 until d) changes.touch(star.ring[i])
-        flipper.pushStar(node)
-        flipper.pushStar(new)
-        return true
-    }
-
-    private fun flipTo(node: Int, ringNode: Int) {
-        var h = connectivity.outgoing[node]
-        while (mesh.elements[next(h)] != ringNode) h = mesh.twins[previous(h)]
-        connectivity.flip(h)
     }
 
     private fun fill(part: Star, first: Int, span: Int) {
@@ -102,18 +106,53 @@ internal class Splitter(
             val i = (first + k) % star.count
             part.add(star.ring[i], star.xy[2 * i], star.xy[2 * i + 1])
         }
+        part.centre()
     }
 
-    private fun setLast(part: Star, x: Double, y: Double) {
-        part.xy[2 * part.count - 2] = x
-        part.xy[2 * part.count - 1] = y
+    private fun setLast(part: Star, other: Star) {
+        part.xy[2 * part.count - 2] = other.x
+        part.xy[2 * part.count - 1] = other.y
     }
 
-    companion object {
-        private const val EQUAL = 1e-9
-        private const val LEAST_QUALITY = 0.35
-        private const val LEAST_SHARE = 0.6
-        @JvmField var LENGTH_WEIGHT = 4.0
-        @JvmField var LENGTH_PIVOT = 1.0
+    private fun isGood(): Boolean {
+        val after = Math.min(near.minQuality(), far.minQuality())
+        if (!QualityGuard.allows(star.minQuality(), after, LEAST_QUALITY, LEAST_SHARE)) return false
+        // The two elements between the old and the new node are in both stars.
+        val sum = near.sumQuality() + far.sumQuality() - near.quality(near.count - 1) - near.quality(near.count - 2)
+        return sum / (star.count + 2) > star.sumQuality() / star.count - MEAN_SLACK
+    }
+
+    private fun split(node: Int, first: Int, span: Int): Int {
+        val d = star.count
+        val middle = span / 2
+        val h = connectivity.halfEdge(node, star.ring[(first + middle) % d])
+        val made = connectivity.split(h, near.x, near.y, mesh.sizes[node])
+        mesh.xy[2 * node] = far.x
+        mesh.xy[2 * node + 1] = far.y
+        // The new node has one ring node to either side of the middle; flips of the old node's edges give it the others.
+        for (k in middle + 1 until span) flipTo(node, star.ring[(first + k) % d])
+        for (k in middle - 1 downTo 1) flipTo(node, star.ring[(first + k) % d])
+        return made
+    }
+
+    private fun flipTo(node: Int, ringNode: Int) = connectivity.flip(connectivity.halfEdge(node, ringNode))
+
+    private companion object {
+        const val EQUAL = 1e-9
+
+        /** A node with fewer neighbours would be split into nodes of valence 4. */
+        const val LEAST_VALENCE = 6
+        const val LEAST_QUALITY = 0.7
+        const val LEAST_SHARE = 0.9
+        const val LEAST_PREPARED = 0.3
+
+        /** The mean q may fall by this much; smoothing regains it. */
+        const val MEAN_SLACK = 0.015
+
+        /** What edges of twice their wanted length weigh in squared deviations of valences. */
+        const val LENGTH_WEIGHT = 4.0
+
+        /** Stands in a ring for a node that is not yet there. */
+        const val MADE = -1
     }
 }

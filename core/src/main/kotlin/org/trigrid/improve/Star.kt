@@ -5,27 +5,25 @@ import org.trigrid.quality.TriangleQuality
 /**
  * A closed ring of nodes, anticlockwise, and a place inside it that is sought: the elements between the place and the
  * ring's edges shall be as good as can be. Scratch memory, filled anew for each node.
+ *
+ * With N the sum of an element's squared sides and D twice its area, 1/q is N / (2 sqrt(3) D). As a function of the
+ * place N is a convex quadratic and D is linear, so 1/q and its powers are convex where D > 0, and infinite at the rim:
+ * Newton steps that lower their sum find the one best place and never leave the elements' positive side.
  */
 internal class Star {
-    @JvmField
-    var count: Int = 0
+    @JvmField var count: Int = 0
 
     /** Node numbers of the ring. */
-    @JvmField
-    var ring: IntArray = IntArray(32)
+    @JvmField var ring: IntArray = IntArray(32)
 
     /** x0, y0, x1, y1, … of the ring, and the first node once more. */
-    @JvmField
-    var xy: DoubleArray = DoubleArray(66)
+    @JvmField var xy: DoubleArray = DoubleArray(66)
 
     /** The place; result of the searches. */
-    @JvmField
-    var x: Double = 0.0
+    @JvmField var x: Double = 0.0
 
-    @JvmField
-    var y: Double = 0.0
+    @JvmField var y: Double = 0.0
 
-    /** Sum over the elements of 1/q as of the last [newtonStep]. */
     private var gradientX = 0.0
     private var gradientY = 0.0
     private var hessianXx = 0.0
@@ -41,23 +39,12 @@ internal class Star {
         reserve(size)
         var h = connectivity.outgoing[node]
         for (i in 0 until size) {
-            val t = h - h % 3
-            val n: Int
-            val back: Int
-            if (h == t) {
-                n = elements[t + 1]
-                back = t + 2
-            } else if (h == t + 1) {
-                n = elements[t + 2]
-                back = t
-            } else {
-                n = elements[t]
-                back = t + 1
-            }
+            val corner = h % 3
+            val n = elements[if (corner == 2) h - 2 else h + 1]
             ring[i] = n
             xy[2 * i] = nodes[2 * n]
             xy[2 * i + 1] = nodes[2 * n + 1]
-            h = twins[back]
+            h = twins[if (corner == 0) h + 2 else h - 1]
         }
         count = size
         close()
@@ -96,51 +83,51 @@ internal class Star {
         y = sumY / count
     }
 
-    /** Least q of the elements around the place ([px], [py]); negative or zero where one is not positive. */
-    fun minQuality(px: Double, py: Double): Double {
+    /** Distance from the place to ring node [i]. */
+    fun distance(i: Int): Double {
+        val dx = xy[2 * i] - x
+        val dy = xy[2 * i + 1] - y
+        return Math.sqrt(dx * dx + dy * dy)
+    }
+
+    /** Mean distance from the place to the ring's nodes. */
+    fun meanDistance(): Double {
+        var sum = 0.0
+        for (i in 0 until count) sum += distance(i)
+        return sum / count
+    }
+
+    /** q of the element between the place and ring edge [i]. */
+    fun quality(i: Int): Double = TriangleQuality.shape(x, y, xy[2 * i], xy[2 * i + 1], xy[2 * i + 2], xy[2 * i + 3])
+
+    /** Sum of q around the place. */
+    fun sumQuality(): Double {
+        var sum = 0.0
+        for (i in 0 until count) sum += quality(i)
+        return sum
+    }
+
+    /** Least q around the place; negative or zero where an element is not positive. */
+    fun minQuality(): Double {
         var least = 2.0
-        for (i in 0 until count) {
-            val q = TriangleQuality.shape(px, py, xy[2 * i], xy[2 * i + 1], xy[2 * i + 2], xy[2 * i + 3])
-            if (q < least) least = q
-        }
+        for (i in 0 until count) least = Math.min(least, quality(i))
         return least
     }
 
-    /** Sum of 1/q, up to a constant factor, around ([px], [py]); infinite where an element is not surely positive. */
-    fun inverseQuality(px: Double, py: Double): Double {
-        var sum = 0.0
-        for (i in 0 until count) {
-            val ax = xy[2 * i] - px
-            val ay = xy[2 * i + 1] - py
-            val bx = xy[2 * i + 2] - px
-            val by = xy[2 * i + 3] - py
-            val ex = bx - ax
-            val ey = by - ay
-            val d = ax * by - ay * bx
-            val n = ax * ax + ay * ay + bx * bx + by * by + ex * ex + ey * ey
-            if (d <= SURELY_POSITIVE * n) return Double.POSITIVE_INFINITY
-            sum += n / d
-        }
-        return sum
-    }
-
     /**
-     * One Newton step towards the least sum of 1/q, halved until the sum falls; that sum is convex wherever all elements
-     * are positive and infinite at the rim, so no step can leave it. Returns whether the place moved.
+     * One Newton step towards the least sum of 1/q or, if [steep], of (1/q)^8, which cares for the worst element nearly
+     * alone; halved until the sum falls. Returns whether the place moved.
      */
-    fun newtonStep(): Boolean {
-        val before = derive()
-        if (before == Double.POSITIVE_INFINITY) return false
+    fun newtonStep(steep: Boolean): Boolean {
+        val before = derive(steep)
         val det = hessianXx * hessianYy - hessianXy * hessianXy
-        if (!(det > 0)) return false
-        var stepX = -(hessianYy * gradientX - hessianXy * gradientY) / det
-        var stepY = -(hessianXx * gradientY - hessianXy * gradientX) / det
-        for (trial in 0..3) {
-            val px = x + stepX
-            val py = y + stepY
-            if (inverseQuality(px, py) < before) {
-                x = px
-                y = py
+        if (before == Double.POSITIVE_INFINITY || !(det > 0)) return false
+        var stepX = (hessianXy * gradientY - hessianYy * gradientX) / det
+        var stepY = (hessianXy * gradientX - hessianXx * gradientY) / det
+        for (trial in 0..MAX_HALVINGS) {
+            if (sumAt(x + stepX, y + stepY, steep) < before) {
+                x += stepX
+                y += stepY
                 return true
             }
             stepX *= 0.5
@@ -149,128 +136,68 @@ internal class Star {
         return false
     }
 
-    /** Sum of N/D (N the squared sides, D twice the area) with its derivatives at the place, by the quotient rule. */
-    private fun derive(): Double {
+    /** The sum that [newtonStep] lowers; infinite where an element is not surely positive. */
+    private fun sumAt(px: Double, py: Double, steep: Boolean): Double {
         var sum = 0.0
-        var gx = 0.0
-        var gy = 0.0
-        var hxx = 0.0
-        var hxy = 0.0
-        var hyy = 0.0
-        val px = x
-        val py = y
-        val xy = xy
         var ax = xy[0] - px
         var ay = xy[1] - py
-        var aa = ax * ax + ay * ay
         for (i in 1..count) {
             val bx = xy[2 * i] - px
             val by = xy[2 * i + 1] - py
-            val bb = bx * bx + by * by
-            val ex = bx - ax
-            val ey = by - ay
-            val d = ax * by - ay * bx
-            val n = aa + bb + ex * ex + ey * ey
-            if (d <= SURELY_POSITIVE * n) return Double.POSITIVE_INFINITY
-            val inverse = 1 / d
-            val f = n * inverse
-            // grad D = (-ey, ex), grad N = -2 (a + b)
-            val fx = (-2 * (ax + bx) + f * ey) * inverse
-            val fy = (-2 * (ay + by) - f * ex) * inverse
-            sum += f
-            gx += fx
-            gy += fy
-            hxx += (4 + 2 * fx * ey) * inverse
-            hyy += (4 - 2 * fy * ex) * inverse
-            hxy += (fy * ey - fx * ex) * inverse
-            ax = bx
-            ay = by
-            aa = bb
-        }
-        gradientX = gx
-        gradientY = gy
-        hessianXx = hxx
-        hessianXy = hxy
-        hessianYy = hyy
-        return sum
-    }
-
-    /**
-     * As [newtonStep] for the sum of (1/q)^8, convex too, which cares for the worst element nearly alone.
-     */
-    fun steepStep(): Boolean {
-        val before = deriveSteep()
-        if (before == Double.POSITIVE_INFINITY) return false
-        val det = hessianXx * hessianYy - hessianXy * hessianXy
-        if (!(det > 0)) return false
-        var stepX = -(hessianYy * gradientX - hessianXy * gradientY) / det
-        var stepY = -(hessianXx * gradientY - hessianXy * gradientX) / det
-        for (trial in 0..3) {
-            val px = x + stepX
-            val py = y + stepY
-            if (steepSum(px, py) < before) {
-                x = px
-                y = py
-                return true
-            }
-            stepX *= 0.5
-            stepY *= 0.5
-        }
-        return false
-    }
-
-    private fun steepSum(px: Double, py: Double): Double {
-        var sum = 0.0
-        for (i in 0 until count) {
-            val ax = xy[2 * i] - px
-            val ay = xy[2 * i + 1] - py
-            val bx = xy[2 * i + 2] - px
-            val by = xy[2 * i + 3] - py
             val ex = bx - ax
             val ey = by - ay
             val d = ax * by - ay * bx
             val n = ax * ax + ay * ay + bx * bx + by * by + ex * ex + ey * ey
             if (d <= SURELY_POSITIVE * n) return Double.POSITIVE_INFINITY
             val f = SCALE * n / d
-            val f2 = f * f
-            val f4 = f2 * f2
-            sum += f4 * f4
+            sum += if (steep) power8(f) else f
+            ax = bx
+            ay = by
         }
         return sum
     }
 
-    private fun deriveSteep(): Double {
+    /** [sumAt] of the place, with its gradient and Hessian by the quotient rule. */
+    private fun derive(steep: Boolean): Double {
         var sum = 0.0
         var gx = 0.0
         var gy = 0.0
         var hxx = 0.0
         var hxy = 0.0
         var hyy = 0.0
-        for (i in 0 until count) {
-            val ax = xy[2 * i] - x
-            val ay = xy[2 * i + 1] - y
-            val bx = xy[2 * i + 2] - x
-            val by = xy[2 * i + 3] - y
+        var ax = xy[0] - x
+        var ay = xy[1] - y
+        for (i in 1..count) {
+            val bx = xy[2 * i] - x
+            val by = xy[2 * i + 1] - y
             val ex = bx - ax
             val ey = by - ay
             val d = ax * by - ay * bx
             val n = ax * ax + ay * ay + bx * bx + by * by + ex * ex + ey * ey
             if (d <= SURELY_POSITIVE * n) return Double.POSITIVE_INFINITY
-            val inverse = SCALE / d
-            val f = n * inverse
-            val slope = f / SCALE
-            val fx = (-2 * (ax + bx) + slope * ey) * inverse
-            val fy = (-2 * (ay + by) - slope * ex) * inverse
-            val f2 = f * f
-            val f6 = f2 * f2 * f2
-            val w1 = 8 * f6 * f
-            val w2 = 56 * f6
-            sum += f6 * f2
-            gx += w1 * fx
-            gy += w1 * fy
-            hxx += w1 * (4 * inverse + 2 * fx * ey / d) + w2 * fx * fx
-            hyy += w1 * (4 * inverse - 2 * fy * ex / d) + w2 * fy * fy
-            hxy += w1 * (fy * ey - fx * ex) / d + w2 * fx * fy
+            val inverse = 1 / d
+            val f = SCALE * n * inverse
+            // grad D = (-ey, ex), grad N = -2 (a + b), second derivatives of N: 4 on the diagonal.
+            val fx = (f * ey - 2 * SCALE * (ax + bx)) * inverse
+            val fy = (-f * ex - 2 * SCALE * (ay + by)) * inverse
+            val fxx = (4 * SCALE + 2 * fx * ey) * inverse
+            val fyy = (4 * SCALE - 2 * fy * ex) * inverse
+            val fxy = (fy * ey - fx * ex) * inverse
+            var slope = 1.0
+            var bend = 0.0
+            if (steep) {
+                val f6 = f * f * f * f * f * f
+                slope = 8 * f6 * f
+                bend = 56 * f6
+            }
+            sum += if (steep) power8(f) else f
+            gx += slope * fx
+            gy += slope * fy
+            hxx += slope * fxx + bend * fx * fx
+            hxy += slope * fxy + bend * fx * fy
+            hyy += slope * fyy + bend * fy * fy
+            ax = bx
+            ay = by
         }
         gradientX = gx
         gradientY = gy
@@ -278,6 +205,12 @@ internal class Star {
         hessianXy = hxy
         hessianYy = hyy
         return sum
+    }
+
+    private fun power8(f: Double): Double {
+        val f2 = f * f
+        val f4 = f2 * f2
+        return f4 * f4
     }
 
     private fun reserve(size: Int) {
@@ -288,10 +221,11 @@ internal class Star {
     }
 
     companion object {
-        /** D above this share of N is positive beyond any rounding, hence by the exact predicate too. */
+        /** D, or q, above this share of N is positive beyond any rounding, hence by the exact predicate too. */
         const val SURELY_POSITIVE: Double = 1e-12
 
-        /** 1 over the least N/D, that of an equilateral triangle. */
+        /** Turns N / D into 1/q: 1 / (2 sqrt(3)). */
         private const val SCALE = 0.28867513459481287
+        private const val MAX_HALVINGS = 3
     }
 }

@@ -2,6 +2,7 @@ package org.trigrid.io
 
 import java.io.IOException
 import java.io.OutputStream
+import java.nio.file.AccessDeniedException
 import java.nio.file.AtomicMoveNotSupportedException
 import java.nio.file.FileAlreadyExistsException
 import java.nio.file.Files
@@ -19,7 +20,7 @@ public object AtomicFile {
 
     /**
      * Writes [content] to [path]. If anything fails, what was at [path] is still there and nothing is left beside it.
-     * A link is followed; what is no ordinary file, such as a pipe or a device, is written to as it is.
+     * A file that may not be written is refused, a link is followed; what is no ordinary file, such as a pipe or a device, is written to as it is.
      */
     @JvmStatic
     @Throws(IOException::class)
@@ -29,6 +30,7 @@ public object AtomicFile {
             Files.newOutputStream(place).use { content.writeTo(it) }
             return
         }
+        if (Files.exists(place) && !Files.isWritable(place)) throw AccessDeniedException(place.toString())
         val draft = createBeside(place)
         try {
             Files.newOutputStream(draft, StandardOpenOption.WRITE).use { content.writeTo(it) }

@@ -1,13 +1,10 @@
 package org.trigrid.io
 
-import kotlinx.serialization.SerializationException
-import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
-import org.trigrid.diagnostics.FileFormatException
 import org.trigrid.domain.Domain
 
 /**
@@ -17,40 +14,20 @@ import org.trigrid.domain.Domain
  * are left out, and so are points and lines. Also read: `{"name": …, "loops": [[[x, y], …], …]}`, loops of any role.
  */
 internal class GeoJsonReader private constructor(
-    private val text: String,
-    private val source: String,
+    private val document: JsonDocument,
     private val baseName: String,
 ) {
     private val domains = ArrayList<NamedDomain>()
 
-    /** Members and elements from the root to a value. */
-    private class At(val up: At?, val step: Any) {
-        operator fun get(step: Any) = At(this, step)
-
-        fun path(): List<Any> = generateSequence(this) { it.up }.map { it.step }.toList().reversed().drop(1)
-    }
-
     private fun read(): List<NamedDomain> {
-        val root = At(null, "")
-        val tree = objectOf(parse(), root)
+        val root = JsonPath.ROOT
+        val tree = objectOf(document.root, root)
         if ("loops" in tree) readLoops(tree, root) else readAny(tree, root, baseName)
         if (domains.isEmpty()) fail(root, "there is no polygon in it")
         return domains
     }
 
-    private fun parse(): JsonElement = try {
-        Json.parseToJsonElement(text)
-    } catch (e: SerializationException) {
-        val message = e.message.orEmpty().lineSequence().first()
-        val offset = OFFSET.find(message)?.groupValues?.get(1)?.toIntOrNull()
-        val reason = "not JSON: " + message.substringAfter(": ").substringBefore(" at path")
-        throw when (offset) {
-            null -> FileFormatException(source, 0, 0, reason, e)
-            else -> TextPlace.exception(source, text, offset, reason, e)
-        }
-    }
-
-    private fun readLoops(tree: JsonObject, at: At) {
+    private fun readLoops(tree: JsonObject, at: JsonPath) {
         val name = (tree["name"] as? JsonPrimitive)?.content ?: baseName
         val loops = arrayOf(tree, "loops", at)
         if (loops.isEmpty()) fail(at["loops"], "there is no loop in it")
@@ -59,7 +36,7 @@ internal class GeoJsonReader private constructor(
         domains.add(NamedDomain(name, builder.build()))
     }
 
-    private fun readAny(tree: JsonObject, at: At, name: String) {
+    private fun readAny(tree: JsonObject, at: JsonPath, name: String) {
         when (val type = (tree["type"] as? JsonPrimitive)?.content) {
             "FeatureCollection" -> arrayOf(tree, "features", at).forEachIndexed { i, feature ->
                 val place = at["features"][i]
@@ -78,20 +55,20 @@ internal class GeoJsonReader private constructor(
         }
     }
 
-    private fun readFeature(tree: JsonObject, at: At, name: String) {
+    private fun readFeature(tree: JsonObject, at: JsonPath, name: String) {
         val geometry = tree["geometry"] ?: fail(at, "a feature must have a \"geometry\"")
         if (geometry is JsonNull) return
         val ownName = ((tree["properties"] as? JsonObject)?.get("name") as? JsonPrimitive)?.takeIf { it.isString }?.content
         readAny(objectOf(geometry, at["geometry"]), at["geometry"], ownName?.ifBlank { null } ?: name)
     }
 
-    private fun readMultiPolygon(polygons: JsonArray, at: At, name: String) {
+    private fun readMultiPolygon(polygons: JsonArray, at: JsonPath, name: String) {
         for ((i, polygon) in polygons.withIndex()) {
             addPolygon(arrayOf(polygon, at[i]), at[i], if (polygons.size == 1) name else "${name}_${i + 1}")
         }
     }
 
-    private fun addPolygon(rings: JsonArray, at: At, name: String) {
+    private fun addPolygon(rings: JsonArray, at: JsonPath, name: String) {
         if (rings.isEmpty()) return
         val builder = Domain.builder().regionName(name)
         for ((i, ring) in rings.withIndex()) {
@@ -101,7 +78,7 @@ internal class GeoJsonReader private constructor(
         domains.add(NamedDomain(name, builder.build()))
     }
 
-    private fun ring(element: JsonElement, at: At): DoubleArray {
+    private fun ring(element: JsonElement, at: JsonPath): DoubleArray {
         val positions = arrayOf(element, at)
         val xy = DoubleArray(2 * positions.size)
         for (i in positions.indices) {
@@ -114,33 +91,31 @@ internal class GeoJsonReader private constructor(
         return RingPoints.withoutRepeatedEnd(xy)
     }
 
-    private fun number(element: JsonElement, ring: At, position: Int, axis: Int): Double {
+    private fun number(element: JsonElement, ring: JsonPath, position: Int, axis: Int): Double {
         val content = (element as? JsonPrimitive)?.takeIf { !it.isString }?.content
         val value = RingPoints.decimal(content.orEmpty())
         if (value.isNaN()) fail(ring[position][axis], "a coordinate must be a number")
         return value
     }
 
-    private fun arrayOf(tree: JsonObject, member: String, at: At): JsonArray {
+    private fun arrayOf(tree: JsonObject, member: String, at: JsonPath): JsonArray {
         val element = tree[member] ?: fail(at, "\"$member\" is missing")
         return arrayOf(element, at[member])
     }
 
-    private fun arrayOf(element: JsonElement, at: At) = element as? JsonArray ?: fail(at, "an array must stand here")
+    private fun arrayOf(element: JsonElement, at: JsonPath) = element as? JsonArray ?: fail(at, "an array must stand here")
 
-    private fun objectOf(element: JsonElement, at: At) = element as? JsonObject ?: fail(at, "an object must stand here")
+    private fun objectOf(element: JsonElement, at: JsonPath) = element as? JsonObject ?: fail(at, "an object must stand here")
 
-    private fun fail(at: At, reason: String): Nothing =
-        throw TextPlace.exception(source, text, JsonPlace.offsetOf(text, at.path()), reason)
+    private fun fail(at: JsonPath, reason: String): Nothing = document.fail(at, reason)
 
     companion object {
-        private val OFFSET = Regex("at offset (\\d+)")
-
         /**
          * @param source names the text in errors.
          * @param baseName names domains that have no name of their own.
          */
-        fun read(text: String, source: String, baseName: String): List<NamedDomain> = GeoJsonReader(text, source, baseName).read()
+        fun read(text: String, source: String, baseName: String): List<NamedDomain> =
+            GeoJsonReader(JsonDocument(text, source, uniqueKeys = false), baseName).read()
 
         /** "outer" for the first ring, "hole_1" and so on for the others. */
         fun ringTag(ring: Int): String = if (ring == 0) "outer" else "hole_$ring"

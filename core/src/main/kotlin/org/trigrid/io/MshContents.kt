@@ -1,5 +1,6 @@
 package org.trigrid.io
 
+import org.trigrid.geometry.IntList
 import org.trigrid.mesh.TriMesh
 import org.trigrid.mesh.TriMeshFactory
 
@@ -145,19 +146,5 @@ internal class NodeIndex(ids: IntArray) {
         val at = sorted.binarySearch(id.toLong() shl 32)
         val place = if (at >= 0) at else -at - 1
         return if (place < sorted.size && sorted[place] ushr 32 == id.toLong()) sorted[place].toInt() else -1
-    }
-}
-
-/** A growing array of ints. */
-internal class IntList {
-    private var values = IntArray(64)
-    var size: Int = 0
-        private set
-
-    operator fun get(i: Int): Int = values[i]
-
-    fun add(value: Int) {
-        if (size == values.size) values = values.copyOf(2 * size)
-        values[size++] = value
     }
 }

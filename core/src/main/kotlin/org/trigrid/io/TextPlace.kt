@@ -10,7 +10,7 @@ internal object TextPlace {
         var line = 1
         var lineStart = 0
         for (i in 0 until end) {
-            if (text[i] == '\n') {
+            if (text[i] == '\n' || text[i] == '\r' && text.getOrNull(i + 1) != '\n') {
                 line++
                 lineStart = i + 1
             }

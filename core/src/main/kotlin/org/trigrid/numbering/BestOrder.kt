@@ -19,8 +19,12 @@ internal class BestOrder(private val graph: NodeGraph) {
     var work: Long = 0
         private set
 
-    /** Keeps [candidate] or its reverse, whichever has the smaller profile, if that is better; copied. */
-    fun offer(candidate: IntArray) {
+    /**
+     * Keeps [candidate] or its reverse, whichever has the smaller profile, if that is better; copied.
+     *
+     * @return the half-bandwidth of the candidate.
+     */
+    fun offer(candidate: IntArray): Int {
         for (i in 0 until nodeCount) numbers[candidate[i]] = i
         var widest = 0
         var forward = nodeCount.toLong()
@@ -40,10 +44,11 @@ internal class BestOrder(private val graph: NodeGraph) {
         }
         work += graph.targets.size
         val lower = minOf(forward, backward)
-        if (widest > halfBandwidth || widest == halfBandwidth && lower >= profile) return
+        if (widest > halfBandwidth || widest == halfBandwidth && lower >= profile) return widest
         halfBandwidth = widest
         profile = lower
         order = candidate.copyOf()
         if (backward < forward) order.reverse()
+        return widest
     }
 }

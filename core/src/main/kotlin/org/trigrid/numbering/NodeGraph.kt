@@ -38,6 +38,34 @@ public class NodeGraph private constructor(
         return NodeGraph(newStarts, sortedByDegree(newStarts, newTargets))
     }
 
+    /** The graph of groups of nodes: two are neighbours if nodes of theirs are. [groups] has a group for each node. */
+    internal fun quotient(groups: IntArray, groupCount: Int): NodeGraph {
+        val firsts = IntArray(groupCount + 1)
+        for (g in groups) firsts[g + 1]++
+        for (g in 1..groupCount) firsts[g] += firsts[g - 1]
+        val members = IntArray(nodeCount)
+        val at = firsts.copyOf()
+        for (node in 0 until nodeCount) members[at[groups[node]]++] = node
+        val newStarts = IntArray(groupCount + 1)
+        var newTargets = IntArray(8 * groupCount + 8)
+        val seenBy = IntArray(groupCount) { -1 }
+        var size = 0
+        for (g in 0 until groupCount) {
+            seenBy[g] = g
+            for (i in firsts[g] until firsts[g + 1]) {
+                for (k in starts[members[i]] until starts[members[i] + 1]) {
+                    val other = groups[targets[k]]
+                    if (seenBy[other] == g) continue
+                    seenBy[other] = g
+                    if (size == newTargets.size) newTargets = newTargets.copyOf(2 * size)
+                    newTargets[size++] = other
+                }
+            }
+            newStarts[g + 1] = size
+        }
+        return NodeGraph(newStarts, sortedByDegree(newStarts, newTargets.copyOf(size)))
+    }
+
     public companion object {
         /** The graph of the nodes of [mesh], two being neighbours if an element has both. */
         @JvmStatic
@@ -66,12 +94,17 @@ public class NodeGraph private constructor(
         /**
          * The graph with the given edges.
          *
-         * @param pairs two nodes an edge, each edge once; not modified.
+         * @param pairs two different nodes an edge, each edge once; not modified.
+         * @throws IllegalArgumentException if a node is out of range or an edge leads back to its node.
          */
         @JvmStatic
         public fun ofEdges(nodeCount: Int, pairs: IntArray): NodeGraph {
+            require(pairs.size % 2 == 0) { "edges come as two nodes each, not ${pairs.size} numbers" }
             val starts = IntArray(nodeCount + 1)
-            for (node in pairs) starts[node + 1]++
+            for (i in pairs.indices) {
+                require(pairs[i] in 0 until nodeCount && pairs[i] != pairs[i xor 1]) { "edge ${i / 2} has node ${pairs[i]}" }
+                starts[pairs[i] + 1]++
+            }
             for (n in 1..nodeCount) starts[n] += starts[n - 1]
             val targets = IntArray(pairs.size)
             val at = starts.copyOf()

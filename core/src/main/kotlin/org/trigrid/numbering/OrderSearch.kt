@@ -8,8 +8,10 @@ package org.trigrid.numbering
  * 1. Cuthill-McKee from the two ends of a long path, and the merged levels between them.
  * 2. Cuthill-McKee from whole stretches of the boundary, the best stretch then moved and resized: most domains are
  *    best swept from one of their sides. A sweep ends as soon as it is worse than the best.
- * 3. Merged levels from the best stretches and from single boundary nodes.
+ * 3. Merged levels from the best stretches and from places all round the boundary.
  * 4. Swaps of single nodes.
+ *
+ * A large graph is first searched in a small likeness of it, and then swept from the best places found there.
  *
  * @param boundary the nodes on the boundary, walk by walk; may be empty.
  */
@@ -19,8 +21,9 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
     private val best = BestOrder(graph)
     private var otherWork = 0L
 
-    /** Stretches of the boundary that lowered the half-bandwidth of the sweeps, the best last: start and length. */
-    private val stretches = ArrayList<IntArray>()
+    /** Starts that gave an order, with its half-bandwidth. */
+    private val tried = ArrayList<Tried>()
+    private var bestStretch: SweepStart? = null
     private var sweepLimit = Int.MAX_VALUE
 
     val work: Long get() = sweep.work + merged.work + best.work + otherWork
@@ -29,15 +32,35 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
 
     /** The best order found. */
     fun search(): IntArray {
-        fromEnds()
-        if (boundary.isNotEmpty()) {
-            scanStretches()
-            refineStretch()
-            mergeFromStretches()
-            mergeFromNodes()
+        if (graph.nodeCount > LARGE && boundary.isNotEmpty()) {
+            fromLikeness()
+        } else {
+            fromEnds()
+            if (boundary.isNotEmpty()) scanStretches()
         }
+        refineStretch()
+        mergeFromStretches()
+        if (graph.nodeCount <= LARGE) mergeFromPlaces()
         climb()
         return best.order
+    }
+
+    private fun fromLikeness() {
+        val coarse = CoarseGraph.of(graph, boundary, COARSE)
+        otherWork += 3L * graph.targets.size
+        val search = OrderSearch(coarse.graph, coarse.boundary, COARSE_BUDGET)
+        search.search()
+        for (start in search.bestStarts(LARGE_STARTS)) {
+            if (best.halfBandwidth < Int.MAX_VALUE && !within(MERGED)) return
+            run(coarse.inLargeGraph(start))
+        }
+    }
+
+    /** The best starts, of each way no more than two. */
+    private fun bestStarts(count: Int): List<SweepStart> {
+        val sorted = tried.sortedBy { it.halfBandwidth }
+        return SweepStart.Way.entries.flatMap { way -> sorted.filter { it.start.way == way }.take(2) }
+            .sortedBy { it.halfBandwidth }.take(count).map { it.start }
     }
 
     private fun fromEnds() {
@@ -54,9 +77,9 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
         if (within(EARLY)) merge(intArrayOf(ends[1]), intArrayOf(ends[0]))
     }
 
-    private fun merge(first: IntArray, second: IntArray) {
-        if (merged.run(first, second, best.halfBandwidth)) best.offer(merged.order)
-    }
+    /** Half-bandwidth of the merged levels, or -1 if that cannot be lower than the best. */
+    private fun merge(first: IntArray, second: IntArray): Int =
+        if (merged.run(first, second, best.halfBandwidth)) best.offer(merged.order) else -1
 
     private fun within(share: Double): Boolean = work < share * budget
 
@@ -67,27 +90,23 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
             val count = maxOf(1, m / parts)
             for (p in 0 until POSITIONS) {
                 if (!within(SCANNED)) return
-                // Places that are not multiples of each other from one length to the next.
-                trySweep((p.toLong() * m / POSITIONS).toInt(), count)
+                trySweep(((2 * p + 1L) * m / (2 * POSITIONS)).toInt(), count)
             }
         }
     }
 
     /** Moves and resizes the best stretch by steps that are halved when none helps. */
     private fun refineStretch() {
-        val start = stretches.lastOrNull() ?: return
-        var from = start[0]
-        var count = start[1]
         var step = maxOf(1, boundary.size / (2 * POSITIONS))
+        if (graph.nodeCount > LARGE) step = maxOf(1, step / 4)
         while (within(REFINED)) {
-            val better = MOVES.any { trySweep(Math.floorMod(from + it[0] * step, boundary.size), count + it[1] * step) }
-            if (better) {
-                from = stretches.last()[0]
-                count = stretches.last()[1]
-            } else {
-                if (step == 1) return
-                step /= 2
+            val now = bestStretch ?: return
+            val better = MOVES.any {
+                trySweep(Math.floorMod(now.from + it[0] * step, boundary.size), now.count + it[1] * step)
             }
+            if (better) continue
+            if (step == 1) return
+            step /= 2
         }
     }
 
@@ -97,34 +116,49 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
         val b = sweep.run(boundary, from, count, sweepLimit - 1)
         if (b < 0) return false
         sweepLimit = b
-        stretches.add(intArrayOf(from, count))
+        val start = SweepStart(from, count, SweepStart.Way.SWEEP)
+        bestStretch = start
+        tried.add(Tried(start, b))
         if (b <= best.halfBandwidth) best.offer(sweep.order)
         return true
     }
 
+    private fun run(start: SweepStart) {
+        if (start.way == SweepStart.Way.SWEEP) trySweep(start.from, start.count) else mergeFrom(start)
+    }
+
+    /** The last stretches that lowered the half-bandwidth, the best first. */
     private fun mergeFromStretches() {
-        for (stretch in stretches.asReversed()) {
+        val stretches = tried.filter { it.start.way == SweepStart.Way.SWEEP }.reversed().take(MERGED_STRETCHES)
+        for (t in stretches) {
             if (!within(MERGED)) return
-            mergeBothWays(stretch[0], stretch[1])
+            mergeBothWays(t.start.from, t.start.count)
         }
     }
 
-    private fun mergeFromNodes() {
+    private fun mergeFromPlaces() {
         for (p in 0 until MERGE_POSITIONS) {
-            if (!within(MERGED)) return
-            mergeBothWays((p.toLong() * boundary.size / MERGE_POSITIONS).toInt(), 1)
-            mergeBothWays((p.toLong() * boundary.size / MERGE_POSITIONS).toInt(), maxOf(1, boundary.size / 8))
+            val from = (p.toLong() * boundary.size / MERGE_POSITIONS).toInt()
+            for (count in intArrayOf(1, boundary.size / 8)) {
+                if (!within(MERGED) || count < 1) return
+                mergeFrom(SweepStart(from, count, SweepStart.Way.MERGED))
+            }
         }
+    }
+
+    private fun mergeBothWays(from: Int, count: Int) {
+        mergeFrom(SweepStart(from, count, SweepStart.Way.MERGED))
+        mergeFrom(SweepStart(from, count, SweepStart.Way.MERGED_BACK))
     }
 
     /** The merged levels between a stretch and the nodes farthest from it, or the last of them for a single node. */
-    private fun mergeBothWays(from: Int, count: Int) {
-        val first = IntArray(count) { boundary[(from + it) % boundary.size] }
-        sweep.run(first, 0, count, Int.MAX_VALUE)
+    private fun mergeFrom(start: SweepStart) {
+        val first = IntArray(start.count) { boundary[(start.from + it) % boundary.size] }
+        sweep.run(first, 0, first.size, Int.MAX_VALUE)
         val order = sweep.order
-        val last = order.copyOfRange(if (count == 1) order.size - 1 else sweep.lastLevel, order.size)
-        merge(first, last)
-        merge(last, first)
+        val last = order.copyOfRange(if (start.count == 1) order.size - 1 else sweep.lastLevel, order.size)
+        val b = if (start.way == SweepStart.Way.MERGED) merge(first, last) else merge(last, first)
+        if (b >= 0) tried.add(Tried(start, b))
     }
 
     private fun climb() {
@@ -135,16 +169,25 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
         best.offer(climbing.order)
     }
 
+    private class Tried(val start: SweepStart, val halfBandwidth: Int)
+
     private companion object {
         /** Shares of the budget after which a means is given up. */
         const val EARLY = 0.5
-        const val SCANNED = 0.45
-        const val REFINED = 0.6
+        const val SCANNED = 0.35
+        const val REFINED = 0.45
         const val MERGED = 0.9
 
         const val POSITIONS = 16
         const val MERGE_POSITIONS = 32
+        const val MERGED_STRETCHES = 4
         val STRETCH_PARTS = intArrayOf(4, Int.MAX_VALUE, 8, 3, 16, 2)
+
+        /** Above this many nodes a likeness of at most [COARSE] nodes is searched first. */
+        const val LARGE = 15_000
+        const val COARSE = 6_000
+        const val COARSE_BUDGET = 5_000_000L
+        const val LARGE_STARTS = 3
 
         /** Changes of start and length, in steps. */
         val MOVES = arrayOf(

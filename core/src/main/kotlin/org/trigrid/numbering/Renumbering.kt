@@ -29,8 +29,7 @@ internal object Renumbering {
         return when (method) {
             NumberingMethod.CUTHILL_MCKEE -> PaperNumbering.order(part.graph, part.boundary)
             else -> {
-                val passes = if (part.graph.nodeCount > LARGE) PASSES_LARGE else PASSES
-                OrderSearch(part.graph, part.boundary, maxOf(SMALL_BUDGET, passes * entries)).search()
+                OrderSearch(part.graph, part.boundary, maxOf(SMALL_BUDGET, PASSES * entries)).search()
             }
         }
     }
@@ -53,9 +52,7 @@ internal object Renumbering {
         return walks.copyOf(count)
     }
 
-    /** Passes over the graph allowed in a search, and the work that any graph may have, in entries read. */
-    private const val PASSES = 40L
-    private const val PASSES_LARGE = 20L
-    private const val LARGE = 100_000
+    /** Passes over a large graph allowed in a search, and the work that any graph may have, in entries read. */
+    private const val PASSES = 10L
     private const val SMALL_BUDGET = 6_000_000L
 }

@@ -20,6 +20,10 @@ internal class DomainPicture(private val domain: Domain, private val options: Pi
         if (options.nodeNumbers) {
             val size = (0.6 * medianSegment()).coerceIn(6.0, 15.0)
             val layout = LabelLayout(scene.width, scene.height, size)
+            for (s in 0 until domain.segmentCount) {
+                if (!length(s).isFinite()) continue
+                layout.blockLine(x(domain.segmentStart(s)), y(domain.segmentStart(s)), x(domain.segmentEnd(s)), y(domain.segmentEnd(s)))
+            }
             scene.add(Labels(Palette.INK, size, false, NodeLabels.place(layout, size, donuts, options.firstNumber)))
         }
         if (showTags) drawLegend(scene, drawn)
@@ -31,7 +35,7 @@ internal class DomainPicture(private val domain: Domain, private val options: Pi
         for (tag in usedTags) {
             for (embedded in listOf(false, true)) {
                 val chosen = (0 until domain.segmentCount).filter {
-                    domain.segmentTag(it) == tag && domain.isEmbedded(it) == embedded
+                    domain.segmentTag(it) == tag && domain.isEmbedded(it) == embedded && length(it).isFinite()
                 }
                 val xy = DoubleArray(4 * chosen.size)
                 chosen.forEachIndexed { i, s ->
@@ -79,13 +83,14 @@ internal class DomainPicture(private val domain: Domain, private val options: Pi
         val nearest = DoubleArray(domain.nodeCount) { Double.POSITIVE_INFINITY }
         for (s in 0 until domain.segmentCount) {
             val length = length(s)
+            if (!length.isFinite()) continue
             nearest[domain.segmentStart(s)] = minOf(nearest[domain.segmentStart(s)], length)
             nearest[domain.segmentEnd(s)] = minOf(nearest[domain.segmentEnd(s)], length)
         }
         return DoubleArray(3 * domain.nodeCount) {
             when (it % 3) {
-                0 -> x(it / 3)
-                1 -> y(it / 3)
+                0 -> onSheet(x(it / 3))
+                1 -> onSheet(y(it / 3))
                 else -> donutRadius(1.6 * nearest[it / 3])
             }
         }
@@ -94,7 +99,8 @@ internal class DomainPicture(private val domain: Domain, private val options: Pi
     private fun medianSegment(): Double {
         val lengths = DoubleArray(domain.segmentCount) { length(it) }
         lengths.sort()
-        return if (lengths.isEmpty()) view.width else lengths[lengths.size / 2]
+        val median = if (lengths.isEmpty()) Double.NaN else lengths[lengths.size / 2]
+        return if (median.isFinite()) median else view.width
     }
 
     private fun length(s: Int): Double = Math.hypot(
@@ -118,6 +124,9 @@ internal class DomainPicture(private val domain: Domain, private val options: Pi
 
     private fun short(tag: String): String = if (tag.length <= 28) tag else tag.take(27) + "\u2026"
 
+    /** A node without a place is drawn, and its number refused, off the sheet. */
+    private fun onSheet(coordinate: Double): Double = if (coordinate.isFinite()) coordinate else OFF_SHEET
+
     private fun x(node: Int): Double = view.x(domain.x(node))
 
     private fun y(node: Int): Double = view.y(domain.y(node))
@@ -128,5 +137,6 @@ internal class DomainPicture(private val domain: Domain, private val options: Pi
         const val TEXT = 14.0
         const val SAMPLE = 28.0
         const val MAX_ROWS = 24
+        const val OFF_SHEET = -1000.0
     }
 }

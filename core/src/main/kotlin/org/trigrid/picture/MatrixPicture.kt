@@ -19,7 +19,7 @@ internal object MatrixPicture {
         val titled = panels.any { it.first.isNotEmpty() }
         val top = MARGIN + if (titled) 1.7 * TITLE else 0.0
         val width = 2 * MARGIN + panels.size * SIDE + (panels.size - 1) * GAP
-        val scene = Scene(width, top + SIDE + 4.2 * TEXT + MARGIN)
+        val scene = Scene(width, top + SIDE + 3.4 * TEXT + MARGIN)
         panels.forEachIndexed { i, (title, mesh) ->
             val left = MARGIN + i * (SIDE + GAP)
             if (title.isNotEmpty()) {

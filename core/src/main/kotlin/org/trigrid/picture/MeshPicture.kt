@@ -119,7 +119,13 @@ internal class MeshPicture(private val mesh: TriMesh, private val options: Pictu
         if (options.nodeNumbers) {
             val layout = LabelLayout(scene.width, scene.height, size)
             if (options.elementNumbers) blockElements(layout, 0.85 * size)
-            scene.add(Labels(Palette.INK, size, true, NodeLabels.place(layout, size, donuts, options.firstNumber)))
+            for (e in 0 until mesh.boundaryEdgeCount) {
+                val a = mesh.edgeStart(e)
+                val b = mesh.edgeEnd(e)
+                layout.blockLine(view.x(mesh.x(a)), view.y(mesh.y(a)), view.x(mesh.x(b)), view.y(mesh.y(b)))
+            }
+            val labels = NodeLabels.place(layout, size, donuts, options.firstNumber)
+            scene.add(Labels(Palette.INK, size, true, labels, halo = true))
         }
     }
 

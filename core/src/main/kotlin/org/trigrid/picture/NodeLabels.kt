@@ -17,15 +17,28 @@ internal object NodeLabels {
     }
 
     private fun place(layout: LabelLayout, size: Double, x: Double, y: Double, radius: Double, text: String): Label? {
-        val width = layout.textWidth(text)
+        val width = LabelLayout.widthOf(text, size)
         val high = LabelLayout.DIGIT_HEIGHT * size
-        val away = 0.75 * radius + 0.12 * size
-        // Above right, above left, below right, below left.
-        for (corner in 0..3) {
-            val left = if (corner % 2 == 0) x + away else x - away - width
-            val bottom = if (corner < 2) y - away else y + away + high
-            if (layout.take(left, bottom - high, left + width, bottom)) return Label(left, bottom, Anchor.START, text)
+        for (i in TO_SIDE.indices) {
+            // On the slant a label may come a little nearer than straight beside the node.
+            val away = (if (TO_SIDE[i] * UPWARDS[i] != 0) 0.75 else 1.2) * radius + 0.14 * size
+            val middle = x + TO_SIDE[i] * (away + 0.5 * width)
+            val bottom = y + 0.5 * high - UPWARDS[i] * (away + 0.5 * high)
+            if (layout.take(middle - 0.5 * width, bottom - high, middle + 0.5 * width, bottom)) {
+                return anchored(x, middle, width, bottom, TO_SIDE[i], text)
+            }
         }
         return null
     }
+
+    /** Texts hang by the end that is next to their node, so that a narrower font leaves no gap there. */
+    private fun anchored(x: Double, middle: Double, width: Double, bottom: Double, side: Int, text: String): Label = when {
+        side > 0 -> Label(middle - 0.5 * width, bottom, Anchor.START, text)
+        side < 0 -> Label(middle + 0.5 * width, bottom, Anchor.END, text)
+        else -> Label(x, bottom, Anchor.MIDDLE, text)
+    }
+
+    /** Where labels are tried: above right, above left, below right, below left, then straight beside the node. */
+    private val TO_SIDE = intArrayOf(1, -1, 1, -1, 1, -1, 0, 0)
+    private val UPWARDS = intArrayOf(1, 1, -1, -1, 0, 0, 1, -1)
 }

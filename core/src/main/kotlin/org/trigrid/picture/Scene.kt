@@ -50,9 +50,20 @@ internal class Donuts(val colour: Int, val xyr: DoubleArray) : SceneItem() {
     }
 }
 
-/** Lines of text of one look. */
-internal class Labels(val colour: Int, val size: Double, val bold: Boolean, val labels: List<Label>) : SceneItem() {
+/** Lines of text of one look; with a halo they stay readable on lines. */
+internal class Labels(
+    val colour: Int,
+    val size: Double,
+    val bold: Boolean,
+    val labels: List<Label>,
+    val halo: Boolean = false,
+) : SceneItem() {
     override val isEmpty: Boolean get() = labels.isEmpty()
+
+    companion object {
+        /** Width of the halo round the letters, as a part of their size. */
+        const val HALO = 0.14
+    }
 }
 
 /** One line of text; (x, y) is on its base line, at the left, middle or right of it. */

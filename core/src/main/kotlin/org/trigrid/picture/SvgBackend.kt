@@ -28,10 +28,12 @@ internal class SvgBackend private constructor(private val text: TextBuffer) {
         // A hair line of the same colour closes the seams that smoothing leaves between neighbours.
         text.text("<path fill=\"").colour(item.colour).text("\" stroke=\"").colour(item.colour)
         text.text("\" stroke-width=\"0.3\" stroke-linejoin=\"round\" d=\"")
+        val pen = Pen()
         for (i in item.xy.indices step 6) {
-            text.text("M").place(item.xy[i]).space().place(item.xy[i + 1])
-            for (k in 2..4 step 2) text.text(if (k == 2) "L" else " ").place(item.xy[i + k]).space().place(item.xy[i + k + 1])
-            text.text("z")
+            pen.moveTo(item.xy[i], item.xy[i + 1])
+            pen.lineTo(item.xy[i + 2], item.xy[i + 3])
+            pen.lineTo(item.xy[i + 4], item.xy[i + 5])
+            pen.close()
             if (i % 60 == 54) text.line()
         }
         text.line("\"/>")
@@ -40,9 +42,10 @@ internal class SvgBackend private constructor(private val text: TextBuffer) {
     private fun writeStrokes(item: Strokes) {
         text.text("<path fill=\"none\" stroke=\"").colour(item.colour).text("\" stroke-width=\"").place(item.lineWidth)
         text.text("\" stroke-linecap=\"round\" d=\"")
+        val pen = Pen()
         for (i in item.xy.indices step 4) {
-            text.text("M").place(item.xy[i]).space().place(item.xy[i + 1])
-            text.text("L").place(item.xy[i + 2]).space().place(item.xy[i + 3])
+            pen.moveTo(item.xy[i], item.xy[i + 1])
+            pen.lineTo(item.xy[i + 2], item.xy[i + 3])
             if (i % 64 == 60) text.line()
         }
         text.line("\"/>")
@@ -80,6 +83,10 @@ internal class SvgBackend private constructor(private val text: TextBuffer) {
     private fun writeLabels(item: Labels) {
         text.text("<g font-family=\"Helvetica, Arial, sans-serif\" font-size=\"").place(item.size)
         if (item.bold) text.text("\" font-weight=\"bold")
+        if (item.halo) {
+            text.text("\" paint-order=\"stroke\" stroke-linejoin=\"round\" stroke=\"").colour(Palette.PAPER)
+            text.text("\" stroke-width=\"").place(Labels.HALO * item.size)
+        }
         text.text("\" fill=\"").colour(item.colour).line("\">")
         for (label in item.labels) {
             text.text("<text x=\"").place(label.x).text("\" y=\"").place(label.y)
@@ -91,6 +98,38 @@ internal class SvgBackend private constructor(private val text: TextBuffer) {
             text.text("\" xml:space=\"preserve\">").escaped(label.text).line("</text>")
         }
         text.line("</g>")
+    }
+
+    /** Writes path steps relative to the last place, in whole hundredths so that no error adds up. */
+    private inner class Pen {
+        private var x = 0L
+        private var y = 0L
+        private var startX = 0L
+        private var startY = 0L
+
+        fun moveTo(toX: Double, toY: Double) {
+            step("m", toX, toY)
+            startX = x
+            startY = y
+        }
+
+        fun lineTo(toX: Double, toY: Double) = step("l", toX, toY)
+
+        fun close() {
+            text.text("z")
+            x = startX
+            y = startY
+        }
+
+        private fun step(command: String, toX: Double, toY: Double) {
+            val newX = Math.round(toX * 100)
+            val newY = Math.round(toY * 100)
+            text.text(command).number((newX - x) / 100.0)
+            if (newY >= y) text.space()
+            text.number((newY - y) / 100.0)
+            x = newX
+            y = newY
+        }
     }
 
     private fun TextBuffer.place(value: Double): TextBuffer = number(Math.rint(value * 100) / 100)

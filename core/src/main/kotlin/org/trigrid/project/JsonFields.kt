@@ -8,9 +8,8 @@ import java.math.BigDecimal
  *
  * All functions throw [org.trigrid.diagnostics.FileFormatException] with the place of what is wrong.
  */
-internal class JsonFields(private val source: JsonSource, private val value: JsonValue, private val what: String) {
-    private val members = (value as? JsonObject)?.members
-        ?: source.fail(value.at, "$what must be an object, not ${value.kind}")
+internal class JsonFields(private val value: JsonValue, private val what: String) {
+    private val members = value.members() ?: value.fail("$what must be an object, not ${value.kind}")
     private val asked = LinkedHashSet<String>()
 
     fun has(key: String): Boolean {
@@ -19,21 +18,17 @@ internal class JsonFields(private val source: JsonSource, private val value: Jso
     }
 
     fun any(key: String): JsonValue {
-        if (!has(key)) source.fail(value.at, "$what lacks the key \"$key\"")
-        return members.getValue(key).value
+        if (!has(key)) value.fail("$what lacks the key \"$key\"")
+        return members.getValue(key)
     }
 
-    fun string(key: String): String {
-        val value = any(key)
-        return (value as? JsonString)?.value ?: wrong(key, "a string", value)
-    }
+    fun string(key: String): String = any(key).let { it.stringText() ?: wrong(key, "a string", it) }
 
     fun string(key: String, default: String): String = if (has(key)) string(key) else default
 
     fun boolean(key: String, default: Boolean): Boolean {
         if (!has(key)) return default
-        val value = any(key)
-        return (value as? JsonBoolean)?.value ?: wrong(key, "true or false", value)
+        return any(key).let { it.boolean() ?: wrong(key, "true or false", it) }
     }
 
     fun number(key: String): Double = number(key, any(key))
@@ -42,18 +37,18 @@ internal class JsonFields(private val source: JsonSource, private val value: Jso
 
     fun whole(key: String): Int {
         val value = any(key)
-        val text = (value as? JsonNumber)?.text ?: wrong(key, "a whole number", value)
+        val text = value.numberText() ?: wrong(key, "a whole number", value)
         return try {
             BigDecimal(text).intValueExact()
         } catch (e: ArithmeticException) {
-            source.fail(value.at, "\"$key\" must be a whole number of at most 32 bits, not $text", e)
+            value.fail("\"$key\" must be a whole number of at most 32 bits, not $text", e)
         }
     }
 
     fun <E : Enum<E>> choice(key: String, choices: List<E>): E {
         val text = string(key)
         return choices.firstOrNull { word(it) == text }
-            ?: source.fail(any(key).at, "\"$key\" must be one of ${choices.joinToString { word(it) }}, not \"$text\"")
+            ?: any(key).fail("\"$key\" must be one of ${choices.joinToString { word(it) }}, not \"$text\"")
     }
 
     fun <E : Enum<E>> choice(key: String, choices: List<E>, default: E): E =
@@ -64,42 +59,39 @@ internal class JsonFields(private val source: JsonSource, private val value: Jso
     fun points(key: String): List<Point2> = items(key).mapIndexed { i, item -> point("$key $i", item) }
 
     fun strings(key: String): List<String> = items(key).mapIndexed { i, item ->
-        (item as? JsonString)?.value ?: wrong("$key $i", "a string", item)
+        item.stringText() ?: wrong("$key $i", "a string", item)
     }
 
-    fun items(key: String): List<JsonValue> {
-        val value = any(key)
-        return (value as? JsonArray)?.items ?: wrong(key, "an array", value)
-    }
+    fun items(key: String): List<JsonValue> = any(key).let { it.items() ?: wrong(key, "an array", it) }
 
     /** Refuses the first member that was not asked for. */
     fun end() {
         val unknown = members.entries.firstOrNull { it.key !in asked } ?: return
-        source.fail(unknown.value.keyAt, "unknown key \"${unknown.key}\" in $what; it may have ${asked.joinToString()}")
+        unknown.value.failAtKey("unknown key \"${unknown.key}\" in $what; it may have ${asked.joinToString()}")
     }
 
     /** Refuses the member whose key [reason] names, or the whole object. */
     fun refuse(reason: String, cause: Throwable): Nothing {
         val words = reason.split(' ', ':').toSet()
         val member = members.entries.firstOrNull { it.key in words }
-        source.fail(member?.value?.value?.at ?: value.at, reason, cause)
+        (member?.value ?: value).fail(reason, cause)
     }
 
     private fun point(what: String, value: JsonValue): Point2 {
-        val items = (value as? JsonArray)?.items ?: wrong(what, "a point [x, y]", value)
-        if (items.size != 2) source.fail(value.at, "\"$what\" must be a point [x, y], not ${items.size} values")
+        val items = value.items() ?: wrong(what, "a point [x, y]", value)
+        if (items.size != 2) value.fail("\"$what\" must be a point [x, y], not ${items.size} values")
         return Point2(number(what, items[0]), number(what, items[1]))
     }
 
     private fun number(key: String, value: JsonValue): Double {
-        val text = (value as? JsonNumber)?.text ?: wrong(key, "a number", value)
+        val text = value.numberText() ?: wrong(key, "a number", value)
         val number = text.toDouble()
-        if (number.isInfinite()) source.fail(value.at, "\"$key\" is beyond the range of numbers: $text")
+        if (number.isInfinite()) value.fail("\"$key\" is beyond the range of numbers: $text")
         return number
     }
 
     private fun wrong(key: String, wanted: String, value: JsonValue): Nothing =
-        source.fail(value.at, "\"$key\" must be $wanted, not ${value.kind}")
+        value.fail("\"$key\" must be $wanted, not ${value.kind}")
 
     companion object {
         /** The word of an enumeration's value in a file: `CUTHILL_MCKEE` is `cuthill-mckee`. */

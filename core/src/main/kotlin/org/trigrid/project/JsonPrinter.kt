@@ -1,62 +1,54 @@
 package org.trigrid.project
 
-/** Prints JSON so that a change of one shape changes few lines: what fits on a line stays on it, the rest is broken open. */
-internal object JsonPrinter {
-    private const val WIDTH = 110
-    private const val INDENT = "  "
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
 
-    fun print(value: JsonValue): String = StringBuilder().also { broken(value, "", it) }.append('\n').toString()
+/**
+ * Breaks JSON into lines so that a change of one shape changes few of them: what fits on a line stays on it. The pretty
+ * printer of kotlinx-serialization would give every coordinate a line of its own.
+ */
+internal class JsonPrinter private constructor() {
+    private val out = StringBuilder()
 
-    private fun value(value: JsonValue, indent: String, out: StringBuilder) {
+    private fun value(value: JsonElement, indent: String) {
         val line = flat(value)
         val column = out.length - (out.lastIndexOf("\n") + 1)
-        if (column + line.length <= WIDTH) out.append(line) else broken(value, indent, out)
+        if (column + line.length <= WIDTH) out.append(line) else broken(value, indent)
     }
 
-    private fun broken(value: JsonValue, indent: String, out: StringBuilder) {
-        when {
-            value is JsonObject && value.members.isNotEmpty() -> {
-                out.append("{")
-                var separator = "\n"
-                for ((key, member) in value.members) {
-                    out.append(separator).append(indent).append(INDENT).append(quoted(key)).append(": ")
-                    value(member.value, indent + INDENT, out)
-                    separator = ",\n"
-                }
-                out.append("\n").append(indent).append("}")
+    private fun broken(value: JsonElement, indent: String) {
+        when (value) {
+            is JsonObject -> lines("{", value.entries, "}", indent) { (key, member) ->
+                out.append(JsonPrimitive(key)).append(": ")
+                value(member, indent + INDENT)
             }
-            value is JsonArray && value.items.isNotEmpty() -> {
-                out.append("[")
-                var separator = "\n"
-                for (item in value.items) {
-                    out.append(separator).append(indent).append(INDENT)
-                    value(item, indent + INDENT, out)
-                    separator = ",\n"
-                }
-                out.append("\n").append(indent).append("]")
-            }
-            else -> out.append(flat(value))
+            is JsonArray -> lines("[", value, "]", indent) { value(it, indent + INDENT) }
+            is JsonPrimitive -> out.append(value)
         }
     }
 
-    private fun flat(value: JsonValue): String = when (value) {
-        is JsonObject -> value.members.entries.joinToString(", ", "{", "}") { "${quoted(it.key)}: ${flat(it.value.value)}" }
-        is JsonArray -> value.items.joinToString(", ", "[", "]") { flat(it) }
-        is JsonString -> quoted(value.value)
-        is JsonNumber -> value.text
-        is JsonBoolean -> value.value.toString()
-        is JsonNull -> "null"
+    private fun <T> lines(opening: String, items: Collection<T>, closing: String, indent: String, print: (T) -> Unit) {
+        out.append(opening)
+        for ((i, item) in items.withIndex()) {
+            out.append(if (i == 0) "\n" else ",\n").append(indent).append(INDENT)
+            print(item)
+        }
+        out.append('\n').append(indent).append(closing)
     }
 
-    private fun quoted(text: String): String = buildString {
-        append('"')
-        for (c in text) {
-            when {
-                c == '"' || c == '\\' -> append('\\').append(c)
-                c < ' ' || c.isSurrogate() -> append("\\u").append(String.format(java.util.Locale.ROOT, "%04x", c.code))
-                else -> append(c)
-            }
-        }
-        append('"')
+    private fun flat(value: JsonElement): String = when (value) {
+        is JsonObject -> value.entries.joinToString(", ", "{", "}") { "${JsonPrimitive(it.key)}: ${flat(it.value)}" }
+        is JsonArray -> value.joinToString(", ", "[", "]") { flat(it) }
+        is JsonPrimitive -> value.toString()
+    }
+
+    companion object {
+        private const val WIDTH = 110
+        private const val INDENT = "  "
+
+        /** The lines of [file], the outermost bracket always broken open. */
+        fun print(file: JsonObject): String = JsonPrinter().also { it.broken(file, "") }.out.append('\n').toString()
     }
 }

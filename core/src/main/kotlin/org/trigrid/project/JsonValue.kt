@@ -1,50 +1,53 @@
 package org.trigrid.project
 
-/**
- * A JSON value that knows where it stood.
- *
- * The reading of project files needs the place of every value for its messages, and refuses repeated keys and quoted
- * numbers, which serialization libraries let pass; hence this small tree.
- */
-internal sealed class JsonValue {
-    /** Offset of the value's first character in the text; -1 for a value that was not read. */
-    var at: Int = -1
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import org.trigrid.io.JsonDocument
+import org.trigrid.io.JsonPath
+
+/** A value of a JSON document that knows where it stands. */
+internal class JsonValue(private val document: JsonDocument, private val path: JsonPath, val element: JsonElement) {
+    constructor(document: JsonDocument) : this(document, JsonPath.ROOT, document.root)
 
     /** What the value is, for messages. */
-    abstract val kind: String
-}
+    val kind: String
+        get() = when (element) {
+            is JsonObject -> "an object"
+            is JsonArray -> "an array"
+            is JsonNull -> "null"
+            is JsonPrimitive -> if (element.isString) "a string" else if (numberText() != null) "a number" else element.content
+        }
 
-internal class JsonObject(val members: LinkedHashMap<String, JsonMember> = LinkedHashMap()) : JsonValue() {
-    override val kind: String get() = "an object"
+    /** The text of a string, or null if the value is another. */
+    fun stringText(): String? = (element as? JsonPrimitive)?.takeIf { it.isString }?.content
 
-    operator fun set(key: String, value: JsonValue) {
-        members[key] = JsonMember(-1, value)
+    /** A number as written, so that no digit is lost before its type is known; or null if the value is another. */
+    fun numberText(): String? = bareText()?.takeIf { NUMBER.matches(it) }
+
+    /** True or false, or null if the value is another. */
+    fun boolean(): Boolean? = bareText()?.toBooleanStrictOrNull()
+
+    /** The elements of an array, or null if the value is another. */
+    fun items(): List<JsonValue>? =
+        (element as? JsonArray)?.mapIndexed { i, item -> JsonValue(document, path[i], item) }
+
+    /** The members of an object, or null if the value is another. */
+    fun members(): Map<String, JsonValue>? =
+        (element as? JsonObject)?.mapValues { (key, member) -> JsonValue(document, path[key], member) }
+
+    /** @throws org.trigrid.diagnostics.FileFormatException with the value's place. */
+    fun fail(reason: String, cause: Throwable? = null): Nothing = document.fail(path, reason, cause)
+
+    /** @throws org.trigrid.diagnostics.FileFormatException with the place of the value's key. */
+    fun failAtKey(reason: String): Nothing = document.failAtKey(path, reason)
+
+    private fun bareText(): String? = (element as? JsonPrimitive)?.takeIf { !it.isString }?.content
+
+    private companion object {
+        /** RFC 8259, section 6; the parser leaves it to the reader of a bare word whether it is a number. */
+        val NUMBER = Regex("-?(0|[1-9][0-9]*)(\\.[0-9]+)?([eE][+-]?[0-9]+)?")
     }
-
-    operator fun set(key: String, value: String) = set(key, JsonString(value))
-
-    operator fun set(key: String, value: Double) = set(key, JsonNumber(NumberText.of(value)))
-}
-
-internal class JsonMember(val keyAt: Int, val value: JsonValue)
-
-internal class JsonArray(val items: List<JsonValue>) : JsonValue() {
-    override val kind: String get() = "an array"
-}
-
-internal class JsonString(val value: String) : JsonValue() {
-    override val kind: String get() = "a string"
-}
-
-/** A number as written, so that no digit is lost before its type is known. */
-internal class JsonNumber(val text: String) : JsonValue() {
-    override val kind: String get() = "a number"
-}
-
-internal class JsonBoolean(val value: Boolean) : JsonValue() {
-    override val kind: String get() = "$value"
-}
-
-internal class JsonNull : JsonValue() {
-    override val kind: String get() = "null"
 }

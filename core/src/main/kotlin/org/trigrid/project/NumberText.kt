@@ -1,10 +1,9 @@
 package org.trigrid.project
 
+import org.trigrid.io.ShortestDecimal
 import java.math.BigDecimal
-import java.math.MathContext
-import java.math.RoundingMode
 
-/** Decimal text of doubles: few digits, read back exactly, and the same on every Java version. */
+/** Decimal text of doubles: as few digits as read back exactly, and the same on every Java version. */
 internal object NumberText {
     private val PLAIN = -5..20
 
@@ -16,14 +15,11 @@ internal object NumberText {
         return if (exponent in PLAIN) digits.toPlainString() else scientific(digits, exponent)
     }
 
-    /** Every double is told by 17 digits, many by 15. */
     private fun shortest(value: Double): BigDecimal {
-        val exact = BigDecimal(value)
-        for (precision in 15..16) {
-            val rounded = exact.round(MathContext(precision, RoundingMode.HALF_EVEN))
-            if (rounded.toDouble() == value) return rounded
-        }
-        return exact.round(MathContext(17, RoundingMode.HALF_EVEN))
+        val decimal = ShortestDecimal()
+        decimal.of(Math.abs(value))
+        val digits = BigDecimal.valueOf(decimal.digits, -decimal.exponent)
+        return if (value < 0) digits.negate() else digits
     }
 
     private fun scientific(digits: BigDecimal, exponent: Int): String {

@@ -1,12 +1,13 @@
 package org.trigrid.project
 
 import org.trigrid.diagnostics.FileFormatException
+import org.trigrid.io.AtomicFile
+import org.trigrid.io.DomainFormats
+import org.trigrid.io.JsonDocument
 import java.io.IOException
-import java.nio.ByteBuffer
-import java.nio.charset.CharacterCodingException
-import java.nio.file.Files
+import java.nio.CharBuffer
+import java.nio.channels.Channels
 import java.nio.file.Path
-import java.nio.file.StandardCopyOption
 
 /** Reads and writes project files, `*.trigrid.json`; docs/formats.md describes them. */
 public object ProjectFile {
@@ -21,14 +22,7 @@ public object ProjectFile {
      */
     @JvmStatic
     @Throws(IOException::class)
-    public fun read(file: Path): Project {
-        val text = try {
-            Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(Files.readAllBytes(file))).toString()
-        } catch (e: CharacterCodingException) {
-            throw FileFormatException(file.toString(), 0, 0, "the file is not UTF-8 text", e)
-        }
-        return parse(text, file.toString())
-    }
+    public fun read(file: Path): Project = parse(DomainFormats.textOf(file), file.toString())
 
     /**
      * Writes a file beside its place and moves it over what is there, so that no half file is ever seen.
@@ -38,14 +32,8 @@ public object ProjectFile {
     @JvmStatic
     @Throws(IOException::class)
     public fun write(file: Path, project: Project) {
-        val target = if (Files.exists(file)) file.toRealPath() else file.toAbsolutePath()
-        val beside = target.resolveSibling(".${target.fileName}.tmp")
-        try {
-            Files.write(beside, format(project).toByteArray(Charsets.UTF_8))
-            Files.move(beside, target, StandardCopyOption.REPLACE_EXISTING)
-        } finally {
-            Files.deleteIfExists(beside)
-        }
+        val text = Charsets.UTF_8.newEncoder().encode(CharBuffer.wrap(format(project)))
+        AtomicFile.write(file) { Channels.newChannel(it).write(text) }
     }
 
     /**
@@ -55,7 +43,8 @@ public object ProjectFile {
      * @throws FileFormatException as [read] does.
      */
     @JvmStatic
-    public fun parse(text: String, sourceName: String): Project = ProjectReader(JsonSource(text, sourceName)).read()
+    public fun parse(text: String, sourceName: String): Project =
+        ProjectReader.read(JsonDocument(text, sourceName, uniqueKeys = true))
 
     /** The text of a project file. Equal projects give equal texts; every number is read back exactly. */
     @JvmStatic

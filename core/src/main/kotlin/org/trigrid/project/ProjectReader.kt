@@ -14,14 +14,19 @@ import org.trigrid.domain.NewLoopStep
 import org.trigrid.domain.NodeKey
 import org.trigrid.domain.Path
 import org.trigrid.domain.PathStep
+import org.trigrid.io.JsonDocument
 import org.trigrid.numbering.NumberingMethod
 import org.trigrid.shape.Distribution
 import org.trigrid.shape.Rounding
 
 /** Makes a [Project] of the text of a project file. */
-internal class ProjectReader(private val source: JsonSource) {
-    fun read(): Project {
-        val fields = JsonFields(source, JsonParser(source).parse(), "a project")
+internal object ProjectReader {
+    const val FORMAT = "trigrid"
+    const val CONNECTOR = "connector"
+
+    /** @throws org.trigrid.diagnostics.FileFormatException if [document] is no project file. */
+    fun read(document: JsonDocument): Project {
+        val fields = JsonFields(JsonValue(document), "a project")
         checkVersion(fields)
         val builder = Project.builder()
         builder.regionName(fields.string("region", "domain"))
@@ -37,16 +42,16 @@ internal class ProjectReader(private val source: JsonSource) {
     /** Before anything else, so that a newer file is not blamed for keys that are new. */
     private fun checkVersion(fields: JsonFields) {
         val format = fields.string("format")
-        if (format != FORMAT) source.fail(fields.any("format").at, "\"format\" must be $FORMAT, not \"$format\"")
+        if (format != FORMAT) fields.any("format").fail("\"format\" must be $FORMAT, not \"$format\"")
         val version = fields.whole("version")
         if (version !in 1..ProjectFile.VERSION) {
             val known = ProjectFile.VERSION
-            source.fail(fields.any("version").at, "version $version is not known; this program reads 1 to $known")
+            fields.any("version").fail("version $version is not known; this program reads 1 to $known")
         }
     }
 
     private fun defaults(value: JsonValue): ShapeDefaults {
-        val fields = JsonFields(source, value, "defaults")
+        val fields = JsonFields(value, "defaults")
         val standard = ShapeDefaults.STANDARD
         val spacing = fields.number("spacing", standard.spacing)
         val ratio = fields.number("ratio", standard.ratio)
@@ -57,7 +62,7 @@ internal class ProjectReader(private val source: JsonSource) {
     }
 
     private fun options(value: JsonValue): MeshOptions {
-        val fields = JsonFields(source, value, "mesh")
+        val fields = JsonFields(value, "mesh")
         val standard = MeshOptions.DEFAULT
         return checked(fields) {
             val builder = MeshOptions.builder()
@@ -88,11 +93,11 @@ internal class ProjectReader(private val source: JsonSource) {
             is EditStep -> "there is no such node at this step: ${step.keys().joinToString(" or ")}"
             else -> "there is no connector to travel back at this step"
         }
-        source.fail(items[undone].at, reason)
+        items[undone].fail(reason)
     }
 
     private fun step(value: JsonValue, defaults: ShapeDefaults): PathStep {
-        val fields = JsonFields(source, value, "a step of the path")
+        val fields = JsonFields(value, "a step of the path")
         val step = when (val type = fields.string("type")) {
             "back" -> BackStep
             "new-loop" -> NewLoopStep
@@ -109,7 +114,7 @@ internal class ProjectReader(private val source: JsonSource) {
 
     private fun append(type: String, fields: JsonFields, defaults: ShapeDefaults): AppendStep = try {
         val shape = ShapeReader(fields, defaults).read(if (type == CONNECTOR) "line" else type)
-            ?: source.fail(fields.any("type").at, "\"$type\" is no type of a step")
+            ?: fields.any("type").fail("\"$type\" is no type of a step")
         fields.end()
         AppendStep(shape, type == CONNECTOR)
     } catch (e: InvalidShapeException) {
@@ -119,25 +124,20 @@ internal class ProjectReader(private val source: JsonSource) {
     private fun node(fields: JsonFields, key: String): NodeKey {
         val text = fields.string(key)
         return NodeKey.parse(text)
-            ?: source.fail(fields.any(key).at, "\"$key\" must name a node, \"shape:node\" or \"+number\", not \"$text\"")
+            ?: fields.any(key).fail("\"$key\" must name a node, \"shape:node\" or \"+number\", not \"$text\"")
     }
 
     private fun loop(value: JsonValue): NodeLoop {
-        val fields = JsonFields(source, value, "a loop")
+        val fields = JsonFields(value, "a loop")
         val nodes = fields.points("nodes")
         val xy = DoubleArray(2 * nodes.size) { if (it % 2 == 0) nodes[it / 2].x else nodes[it / 2].y }
         val name = fields.string("name", Path.UNNAMED_TAG)
         val tags = if (fields.has("segmentNames")) fields.strings("segmentNames") else List(nodes.size) { name }
         if (tags.size != nodes.size) {
-            source.fail(fields.any("segmentNames").at, "${nodes.size} segments have ${tags.size} names")
+            fields.any("segmentNames").fail("${nodes.size} segments have ${tags.size} names")
         }
         fields.end()
         return NodeLoop(xy, tags)
-    }
-
-    internal companion object {
-        const val FORMAT = "trigrid"
-        const val CONNECTOR = "connector"
     }
 }
 

@@ -1,5 +1,13 @@
 package org.trigrid.project
 
+import kotlinx.serialization.ExperimentalSerializationApi
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonObjectBuilder
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.JsonUnquotedLiteral
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
 import org.trigrid.MeshOptions
 import org.trigrid.domain.AppendStep
 import org.trigrid.domain.BackStep
@@ -24,146 +32,148 @@ import org.trigrid.shape.Shape
 
 /** Makes the JSON of a project file. */
 internal class ProjectWriter(private val project: Project) {
-    fun write(): JsonObject = JsonObject().also { file ->
-        file["format"] = ProjectReader.FORMAT
-        file["version"] = JsonNumber(ProjectFile.VERSION.toString())
-        file["region"] = project.regionName
-        file["connectors"] = JsonFields.word(if (project.keepsConnectors) Connectors.KEEP else Connectors.DROP)
-        file["defaults"] = defaults(project.defaults)
-        file["mesh"] = options(project.options)
-        file["path"] = JsonArray(project.path.steps.map { step(it) })
-        if (project.loops.isNotEmpty()) file["loops"] = JsonArray(project.loops.map { loop(it) })
+    fun write(): JsonObject = buildJsonObject {
+        put("format", ProjectReader.FORMAT)
+        put("version", ProjectFile.VERSION)
+        put("region", project.regionName)
+        put("connectors", JsonFields.word(if (project.keepsConnectors) Connectors.KEEP else Connectors.DROP))
+        put("defaults", defaults(project.defaults))
+        put("mesh", options(project.options))
+        put("path", JsonArray(project.path.steps.map { step(it) }))
+        if (project.loops.isNotEmpty()) put("loops", JsonArray(project.loops.map { loop(it) }))
     }
 
-    private fun defaults(defaults: ShapeDefaults) = JsonObject().also {
-        it["spacing"] = defaults.spacing
-        it["ratio"] = defaults.ratio
-        it["distribution"] = JsonFields.word(defaults.distribution)
-        it["rounding"] = JsonFields.word(defaults.rounding)
+    private fun defaults(defaults: ShapeDefaults) = buildJsonObject {
+        put("spacing", number(defaults.spacing))
+        put("ratio", number(defaults.ratio))
+        put("distribution", JsonFields.word(defaults.distribution))
+        put("rounding", JsonFields.word(defaults.rounding))
     }
 
-    /** All but infinity, which JSON cannot say and which is the default. */
-    private fun options(options: MeshOptions) = JsonObject().also {
-        it["sizes"] = JsonFields.word(options.sizes)
-        it["gradation"] = options.gradation
-        it["minSize"] = options.minSize
-        if (options.maxSize < Double.POSITIVE_INFINITY) it["maxSize"] = options.maxSize
-        it["strategy"] = JsonFields.word(options.strategy)
-        it["improve"] = JsonBoolean(options.improve)
-        it["smoothingTolerance"] = options.smoothingTolerance
-        it["numbering"] = JsonFields.word(options.numbering)
-        it["maxElements"] = JsonNumber(options.maxElements.toString())
+    /** What differs from the standard options; a file that leaves an option out has the standard one. */
+    private fun options(options: MeshOptions) = buildJsonObject {
+        val standard = MeshOptions.DEFAULT
+        if (options.sizes != standard.sizes) put("sizes", JsonFields.word(options.sizes))
+        if (options.gradation != standard.gradation) put("gradation", number(options.gradation))
+        if (options.minSize != standard.minSize) put("minSize", number(options.minSize))
+        if (options.maxSize != standard.maxSize) put("maxSize", number(options.maxSize))
+        if (options.strategy != standard.strategy) put("strategy", JsonFields.word(options.strategy))
+        if (options.improve != standard.improve) put("improve", options.improve)
+        if (options.smoothingTolerance != standard.smoothingTolerance) put("smoothingTolerance", number(options.smoothingTolerance))
+        if (options.numbering != standard.numbering) put("numbering", JsonFields.word(options.numbering))
+        if (options.maxElements != standard.maxElements) put("maxElements", options.maxElements)
     }
 
-    private fun step(step: PathStep): JsonObject = JsonObject().also {
+    private fun step(step: PathStep): JsonObject = buildJsonObject {
         when (step) {
-            is AppendStep -> append(step, it)
-            is BackStep -> it["type"] = "back"
-            is NewLoopStep -> it["type"] = "new-loop"
+            is AppendStep -> append(step)
+            is BackStep -> put("type", "back")
+            is NewLoopStep -> put("type", "new-loop")
             is MoveStep -> {
-                it["type"] = "move"
-                it["node"] = step.node.toString()
-                it["to"] = point(Point2(step.x, step.y))
+                put("type", "move")
+                put("node", step.node.toString())
+                put("to", point(Point2(step.x, step.y)))
             }
             is DeleteStep -> {
-                it["type"] = "delete"
-                it["node"] = step.node.toString()
+                put("type", "delete")
+                put("node", step.node.toString())
             }
             is InsertStep -> {
-                it["type"] = "insert"
-                it["node"] = step.node.toString()
-                it["from"] = step.from.toString()
-                it["to"] = step.to.toString()
-                it["at"] = point(Point2(step.x, step.y))
+                put("type", "insert")
+                put("node", step.node.toString())
+                put("from", step.from.toString())
+                put("to", step.to.toString())
+                put("at", point(Point2(step.x, step.y)))
             }
         }
     }
 
-    private fun append(step: AppendStep, file: JsonObject) {
+    private fun JsonObjectBuilder.append(step: AppendStep) {
         val shape = step.shape
-        file["type"] = if (step.isConnector) ProjectReader.CONNECTOR else shape.traits.kind
-        if (shape.name.isNotEmpty()) file["name"] = shape.name
-        geometry(shape, file)
+        put("type", if (step.isConnector) ProjectReader.CONNECTOR else shape.traits.kind)
+        if (shape.name.isNotEmpty()) put("name", shape.name)
+        geometry(shape)
         val defaults = project.defaults
-        if (shape.spacing != defaults.spacing) file["spacing"] = shape.spacing
-        if (shape.ratio != defaults.ratio) file["ratio"] = shape.ratio
-        if (shape.distribution != defaults.distribution) file["distribution"] = JsonFields.word(shape.distribution)
-        if (shape.rounding != defaults.rounding) file["rounding"] = JsonFields.word(shape.rounding)
+        if (shape.spacing != defaults.spacing) put("spacing", number(shape.spacing))
+        if (shape.ratio != defaults.ratio) put("ratio", number(shape.ratio))
+        if (shape.distribution != defaults.distribution) put("distribution", JsonFields.word(shape.distribution))
+        if (shape.rounding != defaults.rounding) put("rounding", JsonFields.word(shape.rounding))
     }
 
-    private fun geometry(shape: Shape, file: JsonObject) {
+    private fun JsonObjectBuilder.geometry(shape: Shape) {
         when (shape) {
-            is Line -> ends(shape.firstPoint, shape.lastPoint, file)
-            is Lines -> file["vertices"] = points(shape.vertices)
-            is Curve -> curve(shape, file)
+            is Line -> ends(shape.firstPoint, shape.lastPoint)
+            is Lines -> put("vertices", points(shape.vertices))
+            is Curve -> curve(shape)
             is Rectangle -> {
-                ends(shape.firstPoint, shape.endCorner, file)
-                direction(shape.direction, file)
+                ends(shape.firstPoint, shape.endCorner)
+                direction(shape.direction)
             }
-            is Polygon -> polygon(shape, file)
+            is Polygon -> polygon(shape)
             is Circle -> {
-                round(shape.firstPoint, shape.centre, file)
-                direction(shape.direction, file)
+                round(shape.firstPoint, shape.centre)
+                direction(shape.direction)
             }
             is Ellipse -> {
-                round(shape.firstPoint, shape.centre, file)
-                file["radiusX"] = shape.radiusX
-                file["radiusY"] = shape.radiusY
-                file["rotationDegrees"] = shape.rotationDegrees
-                direction(shape.direction, file)
+                round(shape.firstPoint, shape.centre)
+                put("radiusX", number(shape.radiusX))
+                put("radiusY", number(shape.radiusY))
+                put("rotationDegrees", number(shape.rotationDegrees))
+                direction(shape.direction)
             }
             is Arc -> {
-                ends(shape.firstPoint, shape.lastPoint, file)
-                file["angleDegrees"] = shape.angleDegrees
+                ends(shape.firstPoint, shape.lastPoint)
+                put("angleDegrees", number(shape.angleDegrees))
             }
         }
     }
 
-    private fun ends(begin: Point2, end: Point2, file: JsonObject) {
-        file["begin"] = point(begin)
-        file["end"] = point(end)
+    private fun JsonObjectBuilder.ends(begin: Point2, end: Point2) {
+        put("begin", point(begin))
+        put("end", point(end))
     }
 
-    private fun round(firstPoint: Point2, centre: Point2, file: JsonObject) {
-        file["firstPoint"] = point(firstPoint)
-        file["centre"] = point(centre)
+    private fun JsonObjectBuilder.round(firstPoint: Point2, centre: Point2) {
+        put("firstPoint", point(firstPoint))
+        put("centre", point(centre))
     }
 
-    private fun direction(direction: Direction, file: JsonObject) {
-        file["direction"] = JsonFields.word(direction)
+    private fun JsonObjectBuilder.direction(direction: Direction) {
+        put("direction", JsonFields.word(direction))
     }
 
-    private fun curve(shape: Curve, file: JsonObject) {
-        file["vertices"] = points(shape.vertices)
-        if (shape.ends != CurveEnds.NATURAL) file["ends"] = JsonFields.word(shape.ends)
-        shape.beginTangent?.let { file["beginTangent"] = point(it) }
-        shape.endTangent?.let { file["endTangent"] = point(it) }
+    private fun JsonObjectBuilder.curve(shape: Curve) {
+        put("vertices", points(shape.vertices))
+        if (shape.ends != CurveEnds.NATURAL) put("ends", JsonFields.word(shape.ends))
+        shape.beginTangent?.let { put("beginTangent", point(it)) }
+        shape.endTangent?.let { put("endTangent", point(it)) }
     }
 
-    private fun polygon(shape: Polygon, file: JsonObject) {
+    private fun JsonObjectBuilder.polygon(shape: Polygon) {
         if (!shape.isRegular) {
-            file["vertices"] = points(shape.vertices)
+            put("vertices", points(shape.vertices))
             return
         }
-        round(shape.firstPoint, shape.centre, file)
-        file["vertexCount"] = JsonNumber(shape.vertices.size.toString())
-        direction(shape.direction, file)
+        round(shape.firstPoint, shape.centre)
+        put("vertexCount", shape.vertices.size)
+        direction(shape.direction)
     }
 
-    private fun loop(loop: NodeLoop): JsonObject = JsonObject().also { file ->
+    private fun loop(loop: NodeLoop): JsonObject = buildJsonObject {
         val names = loop.segmentTags
         val name = names.firstOrNull() ?: Path.UNNAMED_TAG
         if (names.all { it == name }) {
-            file["name"] = name
+            put("name", name)
         } else {
-            file["segmentNames"] = JsonArray(names.map { JsonString(it) })
+            put("segmentNames", JsonArray(names.map { JsonPrimitive(it) }))
         }
-        file["nodes"] = points(List(loop.nodeCount) { Point2(loop.x(it), loop.y(it)) })
+        put("nodes", points(List(loop.nodeCount) { Point2(loop.x(it), loop.y(it)) }))
     }
 
     private fun points(points: List<Point2>) = JsonArray(points.map { point(it) })
 
     private fun point(point: Point2) = JsonArray(listOf(number(point.x), number(point.y)))
 
-    private fun number(value: Double) = JsonNumber(NumberText.of(value))
+    @OptIn(ExperimentalSerializationApi::class)
+    private fun number(value: Double) = JsonUnquotedLiteral(NumberText.of(value))
 }

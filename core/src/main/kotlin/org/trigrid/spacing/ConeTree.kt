@@ -1,6 +1,7 @@
 package org.trigrid.spacing
 
 import org.trigrid.geometry.InsertionOrder
+import org.trigrid.geometry.IntList
 
 /**
  * Lower envelope of cones: `min over sources i of (h_i + g |x - x_i|)`, the largest function with slope at most g that
@@ -8,6 +9,9 @@ import org.trigrid.geometry.InsertionOrder
  *
  * A kd-tree whose nodes keep their box and the smallest h in it; a branch is left when even `h + g * distance of the box`
  * cannot win. All arrays are flat and an evaluation allocates nothing. Any h may be used, negative ones too.
+ *
+ * @param xy x0, y0, x1, y1, … of the sources; not kept.
+ * @param sizes h of each source; infinity for one that never wins; not kept.
  */
 internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: Double) {
     private val count = sizes.size
@@ -22,7 +26,11 @@ internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: 
 
     /** Per tree node: min x, min y, max x, max y, min size. */
     private val box: DoubleArray
+    private val leafStart: IntArray
     private val pending = IntArray(64)
+
+    /** Of each waiting tree node: what it can offer at best. */
+    private val pendingOffer = DoubleArray(64)
 
     /** Index (in the arrays given) of the source that won the last evaluation; -1 when there was none. */
     var winner = -1
@@ -32,7 +40,8 @@ internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: 
         var leaves = 1
         while (leaves.toLong() * LEAF < count) leaves *= 2
         firstLeaf = leaves - 1
-        arrange(xy, 0, count, 0)
+        leafStart = IntArray(leaves + 1) { (it.toLong() * count / leaves).toInt() }
+        arrange(xy)
         for (i in 0 until count) {
             val source = order[i]
             place[source] = i
@@ -45,24 +54,18 @@ internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: 
     }
 
     /** Sorts [order] so that each leaf's share is a compact patch: halves by count across the longer side of their box. */
-    private fun arrange(xy: DoubleArray, from: Int, to: Int, node: Int) {
+    private fun arrange(xy: DoubleArray) {
         val ranges = IntList()
-        ranges.add(from)
-        ranges.add(to)
-        ranges.add(node)
+        addRange(ranges, 0, count, 0)
         while (ranges.size > 0) {
-            val n = ranges.removeLast()
-            val end = ranges.removeLast()
-            val start = ranges.removeLast()
-            if (n >= firstLeaf) continue
-            val middle = start(2 * n + 2)
-            if (middle <= start || middle >= end) {
-                addRange(ranges, start, end, if (middle >= end) 2 * n + 1 else 2 * n + 2)
-                continue
-            }
-            selectMiddle(xy, start, end, middle)
-            addRange(ranges, start, middle, 2 * n + 1)
-            addRange(ranges, middle, end, 2 * n + 2)
+            val node = ranges.removeLast()
+            val to = ranges.removeLast()
+            val from = ranges.removeLast()
+            if (node >= firstLeaf) continue
+            val middle = startOf(2 * node + 2)
+            if (middle > from && middle < to) selectMiddle(xy, from, to, middle)
+            addRange(ranges, from, middle, 2 * node + 1)
+            addRange(ranges, middle, to, 2 * node + 2)
         }
     }
 
@@ -73,10 +76,10 @@ internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: 
     }
 
     /** First place in the leaf order of the sources below a tree node. */
-    private fun start(node: Int): Int {
+    private fun startOf(node: Int): Int {
         var leaf = node
         while (leaf < firstLeaf) leaf = 2 * leaf + 1
-        return ((leaf - firstLeaf).toLong() * count / (firstLeaf + 1)).toInt()
+        return leafStart[leaf - firstLeaf]
     }
 
     /** Quickselect along the longer side of the box of the sources [start] until [end]; ties by number. */
@@ -135,7 +138,7 @@ internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: 
     private fun boxLeaf(node: Int) {
         val b = 5 * node
         emptyBox(b)
-        for (i in start(node) until endOfLeaf(node)) {
+        for (i in leafStart[node - firstLeaf] until leafStart[node - firstLeaf + 1]) {
             box[b] = Math.min(box[b], sourceX[i])
             box[b + 1] = Math.min(box[b + 1], sourceY[i])
             box[b + 2] = Math.max(box[b + 2], sourceX[i])
@@ -143,8 +146,6 @@ internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: 
             box[b + 4] = Math.min(box[b + 4], sourceSize[i])
         }
     }
-
-    private fun endOfLeaf(node: Int) = ((node - firstLeaf + 1).toLong() * count / (firstLeaf + 1)).toInt()
 
     private fun emptyBox(b: Int) {
         box.fill(Double.POSITIVE_INFINITY, b, b + 2)
@@ -173,8 +174,11 @@ internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: 
      * The envelope at ([x], [y]), or [bound] where that is smaller ([winner] is then -1).
      *
      * @param hint a source that is likely to win, or -1.
+     * @param tolerance how far, as a share of it, the answer may lie above the envelope; 0 where sizes may be negative. Near the
+     *   middle of a round domain all sources are all but equally near, and an exact answer would look at most of them.
      */
-    fun min(x: Double, y: Double, hint: Int, bound: Double): Double {
+    fun min(x: Double, y: Double, hint: Int, bound: Double, tolerance: Double): Double {
+        val goodEnough = 1 - tolerance
         var best = bound
         winner = -1
         if (hint >= 0) {
@@ -186,31 +190,35 @@ internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: 
         }
         var size = 0
         var node = 0
+        var offer = offerOf(0, x, y)
         while (true) {
-            if (mayWin(node, x, y, best)) {
+            if (offer < best * goodEnough) {
                 if (node < firstLeaf) {
                     val left = 2 * node + 1
-                    val leftFirst = potential(left, x, y) <= potential(left + 1, x, y)
-                    pending[size++] = if (leftFirst) left + 1 else left
-                    node = if (leftFirst) left else left + 1
+                    val ofLeft = offerOf(left, x, y)
+                    val ofRight = offerOf(left + 1, x, y)
+                    val isLeftFirst = ofLeft <= ofRight
+                    pending[size] = if (isLeftFirst) left + 1 else left
+                    pendingOffer[size++] = if (isLeftFirst) ofRight else ofLeft
+                    node = if (isLeftFirst) left else left + 1
+                    offer = if (isLeftFirst) ofLeft else ofRight
                     continue
                 }
                 best = bestOfLeaf(node, x, y, best)
             }
             if (size == 0) return best
             node = pending[--size]
+            offer = pendingOffer[size]
         }
     }
 
+    /** As above, exact. */
+    fun min(x: Double, y: Double, hint: Int, bound: Double): Double = min(x, y, hint, bound, 0.0)
+
     private fun bestOfLeaf(node: Int, x: Double, y: Double, bound: Double): Double {
         var best = bound
-        for (i in start(node) until endOfLeaf(node)) {
-            val room = best - sourceSize[i]
-            if (room <= 0) continue
-            val dx = x - sourceX[i]
-            val dy = y - sourceY[i]
-            if (slope * slope * (dx * dx + dy * dy) >= room * room) continue
-            val cone = sourceSize[i] + slope * distance(dx, dy)
+        for (i in leafStart[node - firstLeaf] until leafStart[node - firstLeaf + 1]) {
+            val cone = sourceSize[i] + slope * distance(x - sourceX[i], y - sourceY[i])
             if (cone < best) {
                 best = cone
                 winner = order[i]
@@ -219,13 +227,8 @@ internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: 
         return best
     }
 
-    private fun mayWin(node: Int, x: Double, y: Double, best: Double): Boolean {
-        val room = best - box[5 * node + 4]
-        return room > 0 && slope * slope * squaredDistance(node, x, y) < room * room
-    }
-
-    private fun potential(node: Int, x: Double, y: Double) =
-        box[5 * node + 4] + slope * Math.sqrt(squaredDistance(node, x, y))
+    /** The least that a source below the tree node can give. */
+    private fun offerOf(node: Int, x: Double, y: Double) = box[5 * node + 4] + slope * Math.sqrt(squaredDistance(node, x, y))
 
     private fun squaredDistance(node: Int, x: Double, y: Double): Double {
         val b = 5 * node

@@ -4,6 +4,7 @@ import org.trigrid.diagnostics.Fault
 import org.trigrid.diagnostics.FaultKind
 import org.trigrid.diagnostics.InvalidDomainException
 import org.trigrid.domain.Domain
+import org.trigrid.geometry.IntList
 import org.trigrid.spacing.DelaunayBuilder.Companion.GHOST
 import org.trigrid.spacing.DelaunayBuilder.Companion.NONE
 

@@ -15,8 +15,9 @@ import org.trigrid.geometry.Predicates
  * every half-edge has a twin and no far-away vertex distorts anything.
  *
  * Insertion by splitting and Lawson's flips (1977, Mathematical Software III, 161-194). An edge is flipped only when
- * plain doubles prove that it must be: this keeps each triangle positive, ends always, and is fast on points of one
- * circle or lattice; what it leaves is Delaunay to within rounding.
+ * it is proved that it must be: this keeps each triangle positive and ends always. Plain doubles have to prove it, which is
+ * fast on points of one circle or lattice; among nodes that are all but in line, as on a straight side that is not
+ * parallel to an axis, double-doubles may, since undecided slivers there would grow into long fans.
  */
 internal class DelaunayBuilder(val xy: DoubleArray) {
     val nodeCount: Int = xy.size / 2
@@ -247,9 +248,20 @@ internal class DelaunayBuilder(val xy: DoubleArray) {
         if (p == GHOST || q == GHOST) return false
         if (a == GHOST) return orient(q, b, p) > 0
         if (b == GHOST) return orient(p, a, q) > 0
-        return Predicates.inCircleFiltered(
+        val sign = Predicates.inCircleFiltered(
             xy[2 * a], xy[2 * a + 1], xy[2 * b], xy[2 * b + 1], xy[2 * p], xy[2 * p + 1], xy[2 * q], xy[2 * q + 1],
-        ) > 0
+        )
+        if (sign != 0.0) return sign > 0
+        return isFlat(a, b, p) && isFlat(a, b, q) && InCircleSharp.isInside(xy, a, b, p, q)
+    }
+
+    /** Whether three nodes are in line to within what rounding does to the nodes of a straight side. */
+    private fun isFlat(a: Int, b: Int, c: Int): Boolean {
+        val abx = xy[2 * b] - xy[2 * a]
+        val aby = xy[2 * b + 1] - xy[2 * a + 1]
+        val acx = xy[2 * c] - xy[2 * a]
+        val acy = xy[2 * c + 1] - xy[2 * a + 1]
+        return Math.abs(abx * acy - aby * acx) <= FLAT * Math.max(abx * abx + aby * aby, acx * acx + acy * acy)
     }
 
     /** Turns a→b with p on its left and q on its right into p–q; then e is a→q and its former twin b→p. */
@@ -291,6 +303,8 @@ internal class DelaunayBuilder(val xy: DoubleArray) {
 
     companion object {
         const val NONE = -1
+
+        private const val FLAT = 1e-8
 
         /** The symbolic node at infinity. */
         const val GHOST = -1

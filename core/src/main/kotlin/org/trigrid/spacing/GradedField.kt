@@ -1,6 +1,9 @@
 package org.trigrid.spacing
 
-/** Sizes that grow from the boundary's own spacing by the gradation: `min over nodes i of (h_i + g |x - x_i|)`. */
+/**
+ * Sizes that grow from the boundary's own spacing by the gradation: `min over nodes i of (h_i + g |x - x_i|)`, to within
+ * [TOLERANCE] above.
+ */
 internal class GradedField(private val cones: ConeTree) : SizeField {
     override var lastHint: Int = 0
         private set
@@ -8,8 +11,13 @@ internal class GradedField(private val cones: ConeTree) : SizeField {
     override fun hintOf(node: Int): Int = node
 
     override fun sizeAt(x: Double, y: Double, hint: Int): Double {
-        val size = cones.min(x, y, hint, Double.POSITIVE_INFINITY)
+        val size = cones.min(x, y, hint, Double.POSITIVE_INFINITY, TOLERANCE)
         lastHint = cones.winner
         return size
+    }
+
+    internal companion object {
+        /** Share by which an answer may lie above the exact one. */
+        const val TOLERANCE = 0.005
     }
 }

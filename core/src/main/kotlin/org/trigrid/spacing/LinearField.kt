@@ -15,6 +15,7 @@ internal class LinearField(
     gradation: Double,
 ) : SizeField {
     private val walk = TriangleWalk(mesh)
+    private var lastSource = -1
     private val steep = java.util.BitSet(mesh.triangleCount)
 
     override var lastHint: Int = 0
@@ -30,7 +31,10 @@ internal class LinearField(
         val t = walk.find(x, y, if (hint >= 0) hint else lastHint)
         lastHint = t
         val size = interpolated(t)
-        return if (steep.get(t)) cones.min(x, y, mesh.nodes[3 * t], size) else size
+        if (!steep.get(t)) return size
+        val limited = cones.min(x, y, lastSource, size, GradedField.TOLERANCE)
+        if (cones.winner >= 0) lastSource = cones.winner
+        return limited
     }
 
     private fun interpolated(t: Int): Double {
@@ -45,7 +49,7 @@ internal class LinearField(
         return if (sum > 0) mean else Math.min(a, Math.min(b, c))
     }
 
-    /** Slope of the linear interpolation in triangle [t]; infinite or NaN-free for any positive triangle. */
+    /** Slope of the linear interpolation in triangle [t]; infinity where rounding leaves the triangle no area. */
     private fun slopeIn(t: Int): Double {
         val a = mesh.nodes[3 * t]
         val b = mesh.nodes[3 * t + 1]

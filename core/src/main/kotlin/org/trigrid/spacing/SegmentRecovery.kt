@@ -3,6 +3,7 @@ package org.trigrid.spacing
 import org.trigrid.diagnostics.Fault
 import org.trigrid.diagnostics.FaultKind
 import org.trigrid.diagnostics.InvalidDomainException
+import org.trigrid.geometry.IntList
 import org.trigrid.spacing.DelaunayBuilder.Companion.GHOST
 import org.trigrid.spacing.DelaunayBuilder.Companion.NONE
 import org.trigrid.spacing.DelaunayBuilder.Companion.next
@@ -62,7 +63,7 @@ internal class SegmentRecovery(private val mesh: DelaunayBuilder) {
     fun recover(u: Int, v: Int, embedded: Boolean) {
         if (markIfPresent(u, v, embedded)) return
         collectCrossed(firstCrossed(u, v), u, v)
-        triangles.size.let { check(it == rightEdges.size + leftEdges.size - 2) { "segment $u-$v crosses a broken channel" } }
+        check(triangles.size == rightEdges.size + leftEdges.size - 2) { "segment $u-$v crosses a broken channel" }
         leftEdges.reverse()
         chain.detach(rightEdges, leftEdges)
         val right = chain.fill(0, rightEdges.size, u, v)

@@ -11,8 +11,8 @@ import kotlin.io.path.writeText
 /**
  * The public API is what `api/core.api` says, so that no change of it goes unseen.
  *
- * After a change that is meant: `mvn -pl core test -Dtest=ApiDumpTest -Dtrigrid.updateApi=true`, then look at the
- * difference and commit it.
+ * After a change that is meant: `mvn -pl core clean test -Dtest=ApiDumpTest -Dtrigrid.updateApi=true`, then look at the
+ * difference and commit it. Without `clean`, classes whose sources are gone may still lie about.
  */
 class ApiDumpTest {
     @Test

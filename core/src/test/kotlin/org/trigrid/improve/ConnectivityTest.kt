@@ -1,5 +1,6 @@
 package org.trigrid.improve
 
+import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -21,6 +22,30 @@ class ConnectivityTest {
                     1 -> connectivity.split(h, random.nextDouble(), random.nextDouble(), 1.0)
                     else -> if (connectivity.isFree(a) && isSound(connectivity, h, forCollapse = true)) connectivity.collapse(h)
                 }
+                check(connectivity)
+            }
+        }
+    }
+
+    @Test
+    fun `an undone collapse leaves no trace`() {
+        for (seed in 1L..10L) {
+            val random = SplittableRandom(seed)
+            val mesh = RawMeshes.lattice(8, 8, 0.5, seed, hole = seed % 2 == 0L)
+            val connectivity = Connectivity(mesh)
+            repeat(200) {
+                val h = random.nextInt(3 * mesh.elementCount)
+                if (!connectivity.isFree(mesh.elements[h]) || !isSound(connectivity, h, forCollapse = true)) return@repeat
+                val elements = mesh.elements.copyOf()
+                val twins = mesh.twins.copyOf()
+                val n = mesh.elements[h]
+                val m = mesh.elements[Connectivity.next(h)]
+                val left = mesh.elements[Connectivity.previous(h)]
+                val right = mesh.elements[Connectivity.previous(mesh.twins[h])]
+                connectivity.collapse(h)
+                connectivity.undoCollapse(h, n, m, left, right, 1.0)
+                assertArrayEquals(elements, mesh.elements)
+                assertArrayEquals(twins, mesh.twins)
                 check(connectivity)
             }
         }

@@ -2,6 +2,7 @@ package org.trigrid.io
 
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import java.io.ByteArrayOutputStream
 import java.math.BigDecimal
@@ -30,18 +31,38 @@ class ShortestDecimalTest {
     @Test
     fun `every number reads back, and no shorter one does`() {
         val random = Random(20)
-        repeat(200_000) { i ->
-            val value = when (i % 4) {
-                0 -> Double.fromBits(random.nextLong() and Long.MAX_VALUE)
-                1 -> random.nextDouble()
-                2 -> random.nextInt(1_000_000) / 1000.0
-                else -> Math.scalb(1.0, random.nextInt(2098) - 1074)
-            }
-            if (!value.isFinite() || value == 0.0) return@repeat
+        repeat(4_000) { i ->
+            val value = some(random, i)
             check(value)
             check(Math.nextUp(value))
             check(Math.nextDown(value))
         }
+    }
+
+    @Test
+    fun `numbers read back`() {
+        val random = Random(21)
+        repeat(60_000) { i -> assertReadsBack(some(random, i)) }
+    }
+
+    @Test
+    @Tag("corpus")
+    fun `millions of numbers read back`() {
+        val random = Random(22)
+        repeat(5_000_000) { i -> assertReadsBack(some(random, i)) }
+    }
+
+    private fun assertReadsBack(value: Double) {
+        if (!value.isFinite()) return
+        assertEquals(value, written(value).toDouble())
+    }
+
+    /** Of all sizes, of the usual size, with few decimals, and powers of two. */
+    private fun some(random: Random, i: Int): Double = when (i % 4) {
+        0 -> Double.fromBits(random.nextLong() and Long.MAX_VALUE)
+        1 -> random.nextDouble()
+        2 -> random.nextInt(1_000_000) / 1000.0
+        else -> Math.scalb(1.0, random.nextInt(2098) - 1074)
     }
 
     private fun check(value: Double) {

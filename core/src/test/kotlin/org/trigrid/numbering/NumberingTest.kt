@@ -113,6 +113,40 @@ class NumberingTest {
     }
 
     @Test
+    fun `a large mesh is swept along its long side, found in its likeness`() {
+        val grid = GridMeshes.shaken(200, 90, 3L).mesh
+        val permutation = Numbering.permutation(grid, NumberingMethod.BEST)
+        val b = permutation.apply(grid).halfBandwidth
+        assertTrue(b in 91..105, "B $b")
+        assertArrayEquals(permutation.newNumbers(), Numbering.permutation(grid, NumberingMethod.BEST).newNumbers())
+        val graph = NodeGraph.of(grid)
+        val walks = Renumbering.boundaryWalks(grid)
+        assertEquals(2 * (200 + 90), walks.size)
+        val coarse = CoarseGraph.of(graph, walks, 3000)
+        assertTrue(coarse.graph.nodeCount in 1000..3000, "${coarse.graph.nodeCount}")
+        for (from in coarse.boundary.indices) {
+            for (count in listOf(1, coarse.boundary.size / 3, coarse.boundary.size)) {
+                val start = coarse.inLargeGraph(SweepStart(from, count, SweepStart.Way.SWEEP))
+                assertTrue(start.from in walks.indices && start.count in 1..walks.size, "$from $count: ${start.from} ${start.count}")
+            }
+        }
+    }
+
+    @Test
+    fun `merged levels are an order, from sets as from single nodes`() {
+        val grid = GridMeshes.shaken(20, 12, 8L) { i, j -> i in 8..12 && j in 4..8 }.mesh
+        val graph = NodeGraph.of(grid)
+        val ends = PseudoPeripheral(graph).ends()
+        val merged = GibbsPooleStockmeyer(graph)
+        assertTrue(merged.run(intArrayOf(ends[0]), intArrayOf(ends[1]), Int.MAX_VALUE))
+        assertTrue(NumberingMetrics.of(graph, Permutation.ofOrder(merged.order)).halfBandwidth < 30)
+        val walks = Renumbering.boundaryWalks(grid)
+        assertTrue(merged.run(walks.copyOf(12), walks.copyOfRange(30, 42), Int.MAX_VALUE))
+        assertEquals(graph.nodeCount, Permutation.ofOrder(merged.order).size)
+        assertTrue(!merged.run(walks.copyOf(12), walks.copyOfRange(30, 42), 3))
+    }
+
+    @Test
     fun `hill climbing never loses and ends at a permutation`() {
         for (seed in 0L..20L) {
             val mesh = GridMeshes.shaken(8, 8, seed).mesh

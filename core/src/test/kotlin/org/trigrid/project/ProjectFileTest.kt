@@ -11,6 +11,7 @@ import org.trigrid.MeshOptions
 import org.trigrid.Sizes
 import org.trigrid.Strategy
 import org.trigrid.diagnostics.FileFormatException
+import org.trigrid.domain.DomainCheck
 import org.trigrid.domain.Path
 import org.trigrid.numbering.NumberingMethod
 import org.trigrid.shape.Circle
@@ -101,6 +102,21 @@ class ProjectFileTest {
     }
 
     @Test
+    fun `the documented example is read, makes a domain and is written again`() {
+        val document = Files.readString(java.nio.file.Path.of("..", "docs", "formats.md"))
+        val text = document.substringAfter("```json\n").substringBefore("```")
+        val project = ProjectFile.parse(text, "formats.md")
+        assertEquals(10, project.path.shapeCount)
+        assertEquals(1.5, project.options.maxSize)
+        val domain = project.toDomain()
+        assertEquals(7, domain.loopCount)
+        assertTrue(DomainCheck.check(domain).isEmpty())
+        val written = ProjectFile.format(project)
+        assertEquals(written, ProjectFile.format(ProjectFile.parse(written, "x")))
+        assertArrayEquals(domain.nodeCoordinates(), ProjectFile.parse(written, "x").toDomain().nodeCoordinates())
+    }
+
+    @Test
     fun `plain loops bound a domain with and without a path`() {
         val outer = NodeLoop(doubleArrayOf(0.0, 0.0, 0.0, 9.0, 9.0, 9.0, 9.0, 0.0), "outer")
         val inner = NodeLoop(doubleArrayOf(1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0, 1.0), listOf("w", "n", "e", "s"))
@@ -124,7 +140,7 @@ class ProjectFileTest {
         fails("0.5}", "-0.5}", "-0.5", "spacing must be")
         fails("0.5}", "1e999}", "1e999", "beyond the range")
         fails("0.5}", "0.5, \"spacing\": 1}", "\"spacing\": 1}", "stands twice")
-        fails("0.5}", "05}", "05", "may not begin with 0")
+        fails("0.5}", "05}", "05", "a number, not 05")
         fails("\"clockwise\"", "\"left\"", "\"left\"", "one of clockwise, anticlockwise")
         fails("\"centre\": [2, 1]", "\"centre\": [1, 1]", "{\"type\": \"circle", "radius must be")
         fails("\"connector\"", "\"line\"", "{\"type\": \"back\"}", "no connector")
@@ -145,6 +161,22 @@ class ProjectFileTest {
         val e = assertThrows(FileFormatException::class.java) { ProjectFile.parse(text, "x.trigrid.json") }
         assertTrue(reason in e.message!!, e.message)
         assertTrue(e.message!!.startsWith("x.trigrid.json:$line:$column: "), "${e.message} instead of $line:$column")
+    }
+
+    @Test
+    fun `a key is the same key however it is written`() {
+        fails("0.5}", "0.5, \"sp\\u0061cing\": 1}", "\"sp\\u0061cing\"", "key \"spacing\" stands twice")
+        fails("0.5}", "0.5, \"colo\\u0075r\": 1}", "\"colo\\u0075r\"", "unknown key \"colour\"")
+    }
+
+    @Test
+    fun `deep nesting is refused where it becomes too deep`() {
+        for (brackets in listOf("[", "{\"a\":")) {
+            val deep = brackets.repeat(200_000)
+            val e = assertThrows(FileFormatException::class.java) { ProjectFile.parse("\n$deep", "x") }
+            assertEquals(2, e.line)
+            assertEquals(65 * brackets.length + 1, e.column)
+        }
     }
 
     @Test

@@ -1,13 +1,17 @@
-package org.trigrid.spacing
+package org.trigrid.geometry
 
 /** A growing array of ints. */
 internal class IntList {
     private var items = IntArray(16)
 
-    var size = 0
+    var size: Int = 0
         private set
 
     operator fun get(index: Int): Int = items[index]
+
+    operator fun set(index: Int, item: Int) {
+        items[index] = item
+    }
 
     fun add(item: Int) {
         if (size == items.size) items = items.copyOf(2 * size)
@@ -23,4 +27,6 @@ internal class IntList {
     fun reverse() {
         items.reverse(0, size)
     }
+
+    fun toArray(): IntArray = items.copyOf(size)
 }

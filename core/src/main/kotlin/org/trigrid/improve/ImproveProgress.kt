@@ -1,0 +1,28 @@
+package org.trigrid.improve
+
+/** Spreads the stages of the improvement, of known shares of the work, over the progress from 0 to 1. */
+internal class ImproveProgress(private val report: (Double) -> Unit) {
+    private var from = 0.0
+    private var to = 0.0
+
+    /** Ends the stage before and begins one that takes [share] of the whole work. */
+    fun stage(share: Double) {
+        from = to
+        to = Math.min(1.0, from + share)
+        report(from)
+    }
+
+    /** Step [i] of [count] of the stage; reports every few thousand steps. */
+    fun tick(i: Int, count: Int) {
+        if (i and MASK == 0 && i < count) report(from + (to - from) * i / count)
+    }
+
+    fun finish() {
+        to = 1.0
+        report(1.0)
+    }
+
+    private companion object {
+        const val MASK = 4095
+    }
+}

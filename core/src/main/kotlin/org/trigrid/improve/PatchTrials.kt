@@ -1,0 +1,180 @@
+package org.trigrid.improve
+
+import org.trigrid.improve.Connectivity.Companion.next
+import org.trigrid.improve.Connectivity.Companion.previous
+import org.trigrid.quality.TriangleQuality
+
+/**
+ * Surgery that valences alone do not ask for: done for trial, kept if the smoothed patch around it is better than before.
+ *
+ * Valence 5 beside 7 is a dislocation of the lattice. Flips that leave the sum of squared deviations as it is move
+ * dislocations, which then cancel or come to lie where sizes change; collapses of short edges and splits along long ones
+ * make new pairs where the lattice is strained.
+ */
+internal class PatchTrials(
+    private val connectivity: Connectivity,
+    private val ideal: IdealValence,
+    private val changes: Changes,
+    private val splitter: Splitter,
+) {
+    private val mesh = connectivity.mesh
+    private val patch = Patch(connectivity)
+
+    /** Tries to flip the edges near which something has changed since the last pass. */
+    fun tryFlips(progress: ImproveProgress) {
+        val count = 3 * mesh.elementCount
+        for (h in 0 until count) {
+            progress.tick(h, count)
+            if (connectivity.isAlive(h) && mesh.twins[h] > h) tryFlip(h)
+        }
+    }
+
+    /** Tries to collapse the shortest or to split along the longest edge of each node near which something has changed. */
+    fun tryLengths(progress: ImproveProgress) {
+        val count = mesh.nodeCount
+        for (n in mesh.fixedNodeCount until count) {
+            progress.tick(n, count)
+            if (connectivity.outgoing[n] >= 0 && changes.isDue(n)) tryLengthsAt(n)
+        }
+    }
+
+    private fun tryFlip(h: Int) {
+        val g = mesh.twins[h]
+        val a = mesh.elements[h]
+        val b = mesh.elements[g]
+        val c = mesh.elements[previous(h)]
+        val d = mesh.elements[previous(g)]
+        val gain = ideal.flipGain(connectivity.valence, a, b, c, d)
+        if (gain < LEAST_GAIN) return
+        if (!(changes.isDue(a) || changes.isDue(b) || changes.isDue(c) || changes.isDue(d))) return
+        if (gain < NEUTRAL && Math.min(quality(a, b, c), quality(b, a, d)) > GOOD) return
+        if (wouldStarve(a) || wouldStarve(b) || mesh.isEmbedded(a, b)) return
+        if (quality(a, d, c) < LEAST_QUALITY || quality(b, c, d) < LEAST_QUALITY) return
+        patch.collect(a, b, c, d)
+        val before = patch.energy(h / 3, g / 3)
+        val least = patch.minQuality
+        connectivity.flip(h)
+        if (isBetter(before, least, h / 3, g / 3)) return
+        connectivity.flip(next(h))
+        patch.restore()
+    }
+
+    /** Whether a free node that loses an element would have 3, or a fixed one none. */
+    private fun wouldStarve(node: Int): Boolean =
+        connectivity.valence[node] <= if (connectivity.isFree(node)) 4 else 1
+
+    private fun tryLengthsAt(n: Int) {
+        val xy = mesh.xy
+        val first = connectivity.outgoing[n]
+        var shortest = SHORT * SHORT
+        var longest = LONG * LONG
+        var shortEdge = -1
+        var longEdge = -1
+        var h = first
+        do {
+            val m = mesh.elements[next(h)]
+            val dx = xy[2 * m] - xy[2 * n]
+            val dy = xy[2 * m + 1] - xy[2 * n + 1]
+            val size = 0.5 * (mesh.sizes[n] + mesh.sizes[m])
+            val ratio = (dx * dx + dy * dy) / (size * size)
+            if (ratio < shortest) {
+                shortest = ratio
+                shortEdge = h
+            }
+            if (ratio > longest) {
+                longest = ratio
+                longEdge = h
+            }
+            h = mesh.twins[previous(h)]
+        } while (h != first)
+        if (shortEdge >= 0 && tryCollapse(shortEdge)) return
+        if (longEdge >= 0) trySplit(n, mesh.elements[next(longEdge)])
+    }
+
+    private fun tryCollapse(h: Int): Boolean {
+        val n = mesh.elements[h]
+        val m = mesh.elements[next(h)]
+        val left = mesh.elements[previous(h)]
+        val right = mesh.elements[previous(mesh.twins[h])]
+        if (wouldStarve(left) || wouldStarve(right) || leavesFixedElement(n, m)) return false
+        patch.collect(n, m, left, right)
+        val before = patch.energy(NONE, NONE) - PAIR
+        val least = patch.minQuality
+        val size = mesh.sizes[n]
+        connectivity.collapse(h)
+        if (connectivity.isFree(m)) {
+            mesh.xy[2 * m] = 0.5 * (mesh.xy[2 * m] + mesh.xy[2 * n])
+            mesh.xy[2 * m + 1] = 0.5 * (mesh.xy[2 * m + 1] + mesh.xy[2 * n + 1])
+        }
+        patch.energy(NONE, NONE)
+        if (patch.minQuality > LEAST_QUALITY && isBetter(before, least, NONE, NONE)) return true
+        connectivity.undoCollapse(h, n, m, left, right, size)
+        patch.restore()
+        return false
+    }
+
+    /** Whether pulling [n] into a fixed [m] makes an element of fixed nodes alone, which no patch knows of. */
+    private fun leavesFixedElement(n: Int, m: Int): Boolean {
+        if (connectivity.isFree(m)) return false
+        val first = connectivity.outgoing[n]
+        var h = first
+        do {
+            val a = mesh.elements[next(h)]
+            val b = mesh.elements[previous(h)]
+            if (a != m && b != m && !connectivity.isFree(a) && !connectivity.isFree(b)) return true
+            h = mesh.twins[previous(h)]
+        } while (h != first)
+        return false
+    }
+
+    private fun trySplit(n: Int, towards: Int) {
+        if (!splitter.prepare(n, towards)) return
+        patch.collect(n, towards, splitter.end(false), splitter.end(true))
+        val before = patch.energy(NONE, NONE) + PAIR
+        val least = patch.minQuality
+        val made = splitter.split(n)
+        patch.add(made)
+        if (isBetter(before, least, NONE, NONE)) return
+        connectivity.collapse(connectivity.halfEdge(made, n))
+        patch.restore()
+    }
+
+    /** Smooths the patch and compares; when it is better, its nodes are due again. */
+    private fun isBetter(before: Double, least: Double, t: Int, s: Int): Boolean {
+        patch.smooth()
+        val isLower = patch.energy(t, s) < before - ENOUGH
+        if (!isLower || patch.minQuality < Math.min(least, POOR)) return false
+        patch.touch(changes)
+        return true
+    }
+
+    private fun quality(a: Int, b: Int, c: Int): Double {
+        val xy = mesh.xy
+        return TriangleQuality.shape(xy[2 * a], xy[2 * a + 1], xy[2 * b], xy[2 * b + 1], xy[2 * c], xy[2 * c + 1])
+    }
+
+    private companion object {
+        const val NONE = -1
+
+        /** Flips that raise the squared deviations by 2 are tried too, but only at elements below [GOOD]. */
+        const val LEAST_GAIN = -2.01
+        const val NEUTRAL = -1.01
+        const val GOOD = 0.9
+
+        /** Elements below this before smoothing are not worth a trial. */
+        const val LEAST_QUALITY = 0.1
+
+        /** No trial may make the least q worse where it is below this. */
+        const val POOR = 0.6
+
+        /** Gain in energy that is worth a change. */
+        const val ENOUGH = 0.001
+
+        /** Energy of the two elements by which a collapse lessens the sum: what a fair pair has. */
+        const val PAIR = 0.04
+
+        /** Edges beyond these shares of their size are tried. */
+        const val SHORT = 0.75
+        const val LONG = 1.3
+    }
+}
