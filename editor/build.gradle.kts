@@ -46,3 +46,17 @@ tasks.named<JavaExec>("run") {
         },
     )
 }
+
+// The paper's cases are the gallery of the welcome.
+tasks.named<ProcessResources>("processResources") {
+    from("../src-test-data/paper") {
+        include("*.trigrid.json")
+        into("org/trigrid/editor/gallery")
+    }
+}
+
+tasks.named<Test>("test") {
+    // Window tests press keys through JavaFX's own robot and draw without a graphics card.
+    systemProperty("testfx.robot", "glass")
+    systemProperty("prism.order", "sw")
+}

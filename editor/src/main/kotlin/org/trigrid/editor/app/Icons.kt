@@ -12,7 +12,7 @@ internal enum class Icons(private val lines: String, private val solid: String =
     LINE("M5 15 L15 5", dots(4.0, 16.0, 16.0, 4.0)),
     LINES("M3.5 15 L8 6 L12.5 13 L16.5 5", dots(3.5, 15.5, 8.0, 5.5, 12.5, 13.5, 16.5, 4.5)),
     CURVE("M3.5 14 C6 2 12 18 16.5 6", dots(3.5, 14.5, 16.5, 5.5)),
-    ARC("M4 15 A11 11 0 0 1 16 15", dots(4.0, 15.0, 16.0, 15.0)),
+    ARC("M4 15 A7.2 7.2 0 0 1 16 15", dots(4.0, 15.0, 16.0, 15.0)),
     RECTANGLE("M3.5 5 H16.5 V15 H3.5 Z"),
     POLYGON("M4 8 L10 3.5 L16.5 7 L14 15.5 L5.5 14.5 Z", dots(4.0, 8.0, 10.0, 3.5, 16.5, 7.0, 14.0, 15.5, 5.5, 14.5)),
     REGULAR("M10 3 L16.1 6.5 V13.5 L10 17 L3.9 13.5 V6.5 Z"),

@@ -40,7 +40,7 @@ internal class StatusBar(private val session: EditorSession, private val showPro
         cancel.tooltip = Tooltip("Cancel meshing (Esc)")
         cancel.setOnAction { session.cancelMeshing() }
         entry.id = "coordinate-entry"
-        entry.promptText = "x,y   @dx,dy   @len<angle"
+        entry.promptText = "3,4   @1,0   @2<30"
         entry.prefColumnCount = 13
         entry.styleClass.add("coordinate-entry")
         entry.tooltip = Tooltip("Type a place at any moment: 3,4 as it stands, @1,0 from the last point, @2<30 by length and angle")
@@ -55,6 +55,7 @@ internal class StatusBar(private val session: EditorSession, private val showPro
         entry.textProperty().addListener { _, _, _ -> entry.styleClass.remove("entry-fault") }
         val spring = Region()
         setHgrow(spring, Priority.ALWAYS)
+        for (fixed in listOf(place, figures, problems, progressWords, cancel)) fixed.minWidth = Region.USE_PREF_SIZE
         children.addAll(hint, spring, progressWords, progress, cancel, problems, figures, place, entry)
         session.listen(::changed)
         refreshAll()

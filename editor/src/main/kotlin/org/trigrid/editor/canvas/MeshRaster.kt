@@ -43,7 +43,10 @@ internal class MeshRaster(val view: MeshView) {
         visible(raster, transform) { from, to -> fill(raster, transform, from, to, colours) }
         val strength = ((meanEdge - FAINTEST_EDGE) / (STRONGEST_EDGE - FAINTEST_EDGE) * STRONGEST).toInt().coerceIn(0, STRONGEST)
         if (strength == 0) return
-        visible(raster, transform) { from, to -> lines(raster, transform, from, to, ink.line, strength) }
+        val isPlain = colouring == Colouring.NONE
+        val line = if (isPlain) ink.line else ink.lineOnColour
+        val share = if (isPlain) strength else (strength * ON_COLOUR).toInt()
+        visible(raster, transform) { from, to -> lines(raster, transform, from, to, line, share) }
     }
 
     private fun area(): Double {
@@ -143,6 +146,9 @@ internal class MeshRaster(val view: MeshView) {
         const val FAINTEST_EDGE = 3.0
         const val STRONGEST_EDGE = 12.0
         const val STRONGEST = 230
+
+        /** Lines between colours are fainter, so that the colours speak. */
+        const val ON_COLOUR = 0.6
 
         /** Edge of an equilateral triangle over the root of its area. */
         const val EDGE_OF_AREA = 1.52

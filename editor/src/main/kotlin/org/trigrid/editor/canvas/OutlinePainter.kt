@@ -20,6 +20,7 @@ internal class OutlinePainter(
 ) {
     private val nodes = document.nodes
     private val groups = document.groups()
+    private val onConnectors: Set<Int> = document.onConnectorsOnly
 
     fun segments() {
         for (outline in document.outlines) {
@@ -45,7 +46,7 @@ internal class OutlinePainter(
             val x = view.screenX(nodes.x(node))
             val y = view.screenY(nodes.y(node))
             if (x < -MARGIN || y < -MARGIN || x > width + MARGIN || y > height + MARGIN) continue
-            donut(x, y, if (isPicked) colours.accent else colours.node, if (isPicked) PICKED_DONUT else Math.min(DONUT, spacing.room(node) / 2.2))
+            donut(x, y, if (isPicked) colours.accent else if (node in onConnectors) colours.connector else colours.node, if (isPicked) PICKED_DONUT else Math.min(DONUT, spacing.room(node) / 2.2))
             if (settings.showNumbers && (isPicked || spacing.room(node) > NUMBER_ROOM)) {
                 g.fill = if (isPicked) colours.accent else colours.muted
                 g.fillText(node.toString(), x + NUMBER_SHIFT, y - NUMBER_SHIFT)

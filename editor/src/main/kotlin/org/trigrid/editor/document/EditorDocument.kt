@@ -18,6 +18,23 @@ internal class EditorDocument(val project: Project, val picture: BackgroundPictu
     /** What is drawn: the walks of the path and the loops. */
     val outlines: List<Outline> by lazy(LazyThreadSafetyMode.PUBLICATION) { Outline.of(project, nodes) }
 
+    /** Nodes that only connectors have, which are no nodes of the domain. */
+    val onConnectorsOnly: Set<Int> by lazy(LazyThreadSafetyMode.PUBLICATION) {
+        val connectors = (0 until path.shapeCount).filter { path.isConnector(it) }
+        val found = LinkedHashSet<Int>()
+        for (shape in connectors) for (node in path.nodesOf(shape)) found.add(node)
+        if (found.isNotEmpty()) {
+            for (outline in outlines) {
+                for (step in 0 until outline.stepCount) {
+                    if (outline.shapes[step] in connectors) continue
+                    found.remove(outline.nodes[step])
+                    found.remove(outline.stepEnd(step))
+                }
+            }
+        }
+        found
+    }
+
     val isEmpty: Boolean get() = path.shapeCount == 0 && loops.isEmpty()
 
     /** Names of the boundary groups in use, in order of first use. */

@@ -78,7 +78,8 @@ internal class FieldsView(private val commit: (InspectorField, String) -> String
         }
         control.accessibleText = "${field.label} ${field.unit}"
         control.id = "field-" + field.label.lowercase().replace(' ', '-')
-        grid.addRow(2 * index, label, control, unit)
+        grid.addRow(2 * index, label, control)
+        if (field.unit.isEmpty()) GridPane.setColumnSpan(control, 2) else grid.add(unit, 2, 2 * index)
         grid.add(fault, 1, 2 * index + 1, 2, 1)
         listenTo(row)
     }
@@ -139,6 +140,6 @@ internal class FieldsView(private val commit: (InspectorField, String) -> String
     private companion object {
         val INVALID: PseudoClass = PseudoClass.getPseudoClass("invalid")
         const val LABEL_WIDTH = 86.0
-        const val UNIT_WIDTH = 84.0
+        const val UNIT_WIDTH = 76.0
     }
 }

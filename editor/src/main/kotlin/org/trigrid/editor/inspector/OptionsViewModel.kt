@@ -22,7 +22,7 @@ internal class OptionsViewModel(private val session: EditorSession) {
 
     private fun sizeFields(): List<InspectorField> = listOf(
         choice("Sizes", options.sizes, Sizes.entries, "How sizes vary away from the boundary") { sizes(it) },
-        number("Gradation", Figures.exact(options.gradation), "size per length", "Largest slope of the size; small for even sizes, 0.25 by default") {
+        number("Gradation", Figures.exact(options.gradation), "per length", "Largest slope of the size; small for even sizes, 0.25 by default") {
             gradation(FieldNumbers.positive(it))
         },
         number("Smallest", if (options.minSize == 0.0) "" else Figures.exact(options.minSize), "length", "Empty for no limit") {

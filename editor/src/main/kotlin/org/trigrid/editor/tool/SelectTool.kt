@@ -35,8 +35,8 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
             drag == Drag.NODES && isOverNode >= 0 -> "Release to merge with node $isOverNode"
             drag == Drag.NODES || drag == Drag.SHAPES || drag == Drag.HANDLE -> "Release to move; Alt suspends snapping, Esc cancels"
             drag == Drag.AREA -> "Release to pick the nodes inside; Shift adds to what is picked"
-            host.state.selection.nodes.isNotEmpty() -> "Drag the nodes to move them, onto another to merge; Delete removes"
-            host.state.selection.isEmpty -> "Click a shape or a node, or drag round nodes; double click on a line inserts a node"
+            host.state.selection.nodes.isNotEmpty() -> "Drag to move, onto another node to merge; Delete removes"
+            host.state.selection.isEmpty -> "Click a shape or a node, or drag a box round nodes"
             else -> "Drag to move, drag a square to change the shape; Delete removes"
         }
 
