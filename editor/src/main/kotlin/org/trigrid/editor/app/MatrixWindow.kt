@@ -1,16 +1,12 @@
 package org.trigrid.editor.app
 
 import javafx.scene.Scene
-import javafx.scene.control.Label
 import javafx.scene.image.ImageView
-import javafx.scene.layout.BorderPane
-import javafx.scene.layout.HBox
 import javafx.scene.layout.StackPane
 import javafx.stage.Stage
 import javafx.stage.Window
 import org.trigrid.editor.meshing.MeshView
 import org.trigrid.mesh.TriMesh
-import org.trigrid.numbering.NumberingMetrics
 import org.trigrid.picture.Pictures
 
 /** The structure of the coefficient matrix before and after renumbering, side by side. */
@@ -26,19 +22,9 @@ internal class MatrixWindow(owner: Window?, view: MeshView, before: TriMesh) {
         image.fitHeightProperty().bind(frame.heightProperty().subtract(MARGIN))
         frame.setMinSize(0.0, 0.0)
         frame.style = "-fx-background-color: white"
-        val words = HBox(Label(words("Before", before)), Label(words("After", view.mesh)))
-        words.styleClass.add("status-bar")
-        val root = BorderPane(frame)
-        root.bottom = words
         stage.title = "Matrix structure"
         stage.initOwner(owner)
-        stage.scene = Scene(root, WIDTH, HEIGHT)
-        stage.scene.stylesheets.add(EditorWindow.stylesheet)
-    }
-
-    private fun words(name: String, mesh: TriMesh): String {
-        val metrics = NumberingMetrics.of(mesh)
-        return "$name: bandwidth ${metrics.bandwidth}, profile ${metrics.profile}"
+        stage.scene = Scene(frame, WIDTH, HEIGHT)
     }
 
     private companion object {

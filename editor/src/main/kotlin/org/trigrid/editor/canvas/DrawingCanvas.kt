@@ -11,6 +11,7 @@ import javafx.scene.layout.Region
 import javafx.scene.shape.Rectangle
 import org.trigrid.editor.document.EditorDocument
 import org.trigrid.editor.document.ShapeHandles
+import org.trigrid.editor.meshing.Colouring
 import org.trigrid.editor.meshing.Problem
 import org.trigrid.editor.session.Change
 import org.trigrid.editor.session.EditorSession
@@ -112,11 +113,14 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
             return
         }
         val box = Box.of(session.document.nodes.bounds()) ?: Box(0.0, 0.0, EMPTY_WIDTH, EMPTY_HEIGHT)
-        transform = ViewTransform.fit(box, width, height, FIT_MARGIN)
+        fit(box)
     }
 
+    /** Shows a part, clear of the legend. */
     fun fit(box: Box) {
-        transform = ViewTransform.fit(box, width, height, FIT_MARGIN)
+        val hasLegend = session.mesh != null && session.view.colouring != Colouring.NONE
+        val room = if (hasLegend) OverlayPainter.LEGEND_ROOM else 0.0
+        transform = ViewTransform.fit(box, width, height - room, FIT_MARGIN)
     }
 
     /** Shows what is picked, or all if nothing is. */

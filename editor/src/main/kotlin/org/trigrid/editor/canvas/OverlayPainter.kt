@@ -187,14 +187,17 @@ internal class OverlayPainter(
 
     private fun square(x: Double, y: Double, half: Double) = g.fillRect(x - half, y - half, 2 * half, 2 * half)
 
-    private companion object {
-        const val HANDLE = 4.0
-        const val MOST_NODES = 3000
-        const val MOST_PROBLEMS = 300
-        const val LEGEND_CELL = 30.0
-        const val LEGEND_PAD = 14.0
-        const val LEGEND_HEIGHT = 62.0
-        const val LEGEND_MARGIN = 14.0
+    companion object {
+        private const val HANDLE = 4.0
+        private const val MOST_NODES = 3000
+        private const val MOST_PROBLEMS = 300
+        private const val LEGEND_CELL = 30.0
+        private const val LEGEND_PAD = 14.0
+        private const val LEGEND_HEIGHT = 62.0
+        private const val LEGEND_MARGIN = 14.0
+
+        /** Pixels at the foot of the sheet that the legend takes. */
+        const val LEGEND_ROOM = LEGEND_HEIGHT
     }
 }
 

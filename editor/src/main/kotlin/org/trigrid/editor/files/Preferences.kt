@@ -46,7 +46,7 @@ internal class Preferences(private val folder: Path) {
     }
 
     fun forget(gone: Path) {
-        val files = recent - gone
+        val files = recent.filter { it != gone }
         for (i in 0 until MOST_RECENT) {
             val entry = files.getOrNull(i)
             if (entry == null) values.remove("recent.$i") else values.setProperty("recent.$i", entry.toString())
