@@ -15,6 +15,8 @@ internal class MeshRaster(val view: MeshView) {
     private val order: IntArray
     private val nodes = IntArray(3 * count)
     private val boxes: DoubleArray
+    private val small: SmallElements
+    private val meanArea: Double
     private val colourings = java.util.EnumMap<Colouring, IntArray>(Colouring::class.java)
 
     init {
@@ -23,6 +25,8 @@ internal class MeshRaster(val view: MeshView) {
         for (i in 0 until count) for (k in 0..2) nodes[3 * i + k] = given[3 * order[i] + k]
         boxes = DoubleArray(4 * ((count + BLOCK - 1) / BLOCK))
         for (block in 0 until boxes.size / 4) measure(block)
+        small = SmallElements(xy, nodes)
+        meanArea = if (count == 0) 0.0 else (0 until count).sumOf { mesh.area(it) } / count
     }
 
     /** The element that holds a place of the domain, or -1. */
@@ -38,24 +42,15 @@ internal class MeshRaster(val view: MeshView) {
     /** Draws what [transform] shows; transparent where there is no mesh. */
     fun draw(raster: PixelRaster, transform: ViewTransform, colouring: Colouring, ink: MeshInk) {
         raster.clear(0)
-        val colours = coloursOf(colouring, ink)
-        val meanEdge = Math.sqrt(area() / Math.max(1, count)) * EDGE_OF_AREA * transform.scale
-        visible(raster, transform) { from, to -> fill(raster, transform, from, to, colours) }
+        val colours = coloursOf(colouring)
+        visible(raster, transform) { from, to -> fill(raster, transform, from, to, colours, ink.fill) }
+        val meanEdge = Math.sqrt(meanArea) * EDGE_OF_AREA * transform.scale
         val strength = ((meanEdge - FAINTEST_EDGE) / (STRONGEST_EDGE - FAINTEST_EDGE) * STRONGEST).toInt().coerceIn(0, STRONGEST)
         if (strength == 0) return
         val isPlain = colouring == Colouring.NONE
         val line = if (isPlain) ink.line else ink.lineOnColour
         val share = if (isPlain) strength else (strength * ON_COLOUR).toInt()
         visible(raster, transform) { from, to -> lines(raster, transform, from, to, line, share) }
-    }
-
-    private fun area(): Double {
-        var sum = 0.0
-        for (block in 0 until boxes.size / 4) {
-            val sample = block * BLOCK
-            sum += mesh.area(order[sample]) * minOf(BLOCK, count - sample)
-        }
-        return sum
     }
 
     private inline fun visible(raster: PixelRaster, t: ViewTransform, draw: (Int, Int) -> Unit) {
@@ -68,23 +63,17 @@ internal class MeshRaster(val view: MeshView) {
         }
     }
 
-    private fun fill(raster: PixelRaster, t: ViewTransform, from: Int, to: Int, colours: IntArray) {
+    private fun fill(raster: PixelRaster, t: ViewTransform, from: Int, to: Int, colours: IntArray?, plain: Int) {
         for (i in from until to) {
+            val colour = if (colours == null) plain else colours[i]
+            if (small.draw(raster, t, i, colour)) continue
             val ax = t.screenX(xy[2 * nodes[3 * i]])
             val ay = t.screenY(xy[2 * nodes[3 * i] + 1])
             val bx = t.screenX(xy[2 * nodes[3 * i + 1]])
             val by = t.screenY(xy[2 * nodes[3 * i + 1] + 1])
             val cx = t.screenX(xy[2 * nodes[3 * i + 2]])
             val cy = t.screenY(xy[2 * nodes[3 * i + 2] + 1])
-            val left = Math.min(ax, Math.min(bx, cx))
-            val right = Math.max(ax, Math.max(bx, cx))
-            val upper = Math.min(ay, Math.min(by, cy))
-            val lower = Math.max(ay, Math.max(by, cy))
-            if (right - left < SMALL && lower - upper < SMALL) {
-                raster.block(left.toInt(), upper.toInt(), right.toInt(), lower.toInt(), colours[i])
-            } else {
-                raster.triangle(ax, ay, bx, by, cx, cy, colours[i])
-            }
+            raster.triangle(ax, ay, bx, by, cx, cy, colour)
         }
     }
 
@@ -102,8 +91,9 @@ internal class MeshRaster(val view: MeshView) {
         }
     }
 
-    private fun coloursOf(colouring: Colouring, ink: MeshInk): IntArray {
-        if (colouring == Colouring.NONE) return IntArray(count).also { it.fill(ink.fill) }
+    /** A colour an element, or null for one colour for all. */
+    private fun coloursOf(colouring: Colouring): IntArray? {
+        if (colouring == Colouring.NONE) return null
         return synchronized(colourings) {
             colourings.getOrPut(colouring) {
                 IntArray(count) { ColourScale.of(colouring).colour(view.level(order[it], colouring)) }
@@ -138,9 +128,6 @@ internal class MeshRaster(val view: MeshView) {
 
     private companion object {
         const val BLOCK = 64
-
-        /** Elements smaller than this, in pixels, are drawn as the pixels they touch. */
-        const val SMALL = 1.5
 
         /** Mean edges, in pixels, between which lines come up from nothing. */
         const val FAINTEST_EDGE = 3.0

@@ -3,6 +3,7 @@ package org.trigrid.editor.canvas
 import javafx.scene.canvas.GraphicsContext
 import javafx.scene.paint.Color
 import javafx.scene.text.Font
+import org.trigrid.editor.document.DirectionArrow
 import org.trigrid.editor.document.EditorDocument
 import org.trigrid.editor.document.Outline
 import org.trigrid.editor.document.Selection
@@ -56,15 +57,7 @@ internal class OutlinePainter(
 
     /** An arrow in the middle of each shape and loop. */
     fun directions() {
-        for (outline in document.outlines) {
-            var step = 0
-            while (step < outline.stepCount) {
-                var end = step + 1
-                while (end < outline.stepCount && outline.shapes[end] == outline.shapes[step]) end++
-                arrow(outline, (step + end - 1) / 2, styleOf(outline, step))
-                step = end
-            }
-        }
+        for (arrow in document.arrows) arrow(arrow, styleOf(arrow.outline, arrow.step))
     }
 
     private class Style(val colour: Color, val isDashed: Boolean, val isPicked: Boolean) {
@@ -107,17 +100,13 @@ internal class OutlinePainter(
         g.strokeOval(x - radius, y - radius, 2 * radius, 2 * radius)
     }
 
-    private fun arrow(outline: Outline, step: Int, style: Style) {
-        val a = outline.nodes[step]
-        val b = outline.stepEnd(step)
-        val ax = view.screenX(nodes.x(a))
-        val ay = view.screenY(nodes.y(a))
-        val dx = view.screenX(nodes.x(b)) - ax
-        val dy = view.screenY(nodes.y(b)) - ay
+    private fun arrow(arrow: DirectionArrow, style: Style) {
+        val dx = (arrow.to.x - arrow.from.x) * view.scale
+        val dy = -(arrow.to.y - arrow.from.y) * view.scale
         val length = Math.hypot(dx, dy)
-        if (length < 1e-6) return
-        val x = ax + dx / 2
-        val y = ay + dy / 2
+        if (length == 0.0) return
+        val x = view.screenX(arrow.place.x)
+        val y = view.screenY(arrow.place.y)
         if (x < 0 || y < 0 || x > width || y > height) return
         val ux = dx / length * ARROW
         val uy = dy / length * ARROW

@@ -14,7 +14,9 @@ internal class PixelRaster(val width: Int, val height: Int) {
         val left = maxOf(x0, 0)
         val right = minOf(x1, width - 1)
         if (left > right) return
-        for (y in maxOf(y0, 0)..minOf(y1, height - 1)) pixels.fill(colour, y * width + left, y * width + right + 1)
+        for (y in maxOf(y0, 0)..minOf(y1, height - 1)) {
+            for (at in y * width + left..y * width + right) pixels[at] = colour
+        }
     }
 
     /** The pixels whose middles lie in a triangle, row by row. */

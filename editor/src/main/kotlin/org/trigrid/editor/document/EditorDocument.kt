@@ -18,6 +18,8 @@ internal class EditorDocument(val project: Project, val picture: BackgroundPictu
     /** What is drawn: the walks of the path and the loops. */
     val outlines: List<Outline> by lazy(LazyThreadSafetyMode.PUBLICATION) { Outline.of(project, nodes) }
 
+    val arrows: List<DirectionArrow> by lazy(LazyThreadSafetyMode.PUBLICATION) { DirectionArrow.of(this) }
+
     /** Nodes that only connectors have, which are no nodes of the domain. */
     val onConnectorsOnly: Set<Int> by lazy(LazyThreadSafetyMode.PUBLICATION) {
         val connectors = (0 until path.shapeCount).filter { path.isConnector(it) }

@@ -4,7 +4,9 @@ import org.trigrid.diagnostics.TriGridException
 import org.trigrid.editor.command.InsertNode
 import org.trigrid.editor.command.MoveNodes
 import org.trigrid.editor.command.ReplaceShape
+import org.trigrid.editor.command.ShapeCommands
 import org.trigrid.editor.command.TransformSelection
+import org.trigrid.editor.document.DirectionArrow
 import org.trigrid.editor.document.PickedSegment
 import org.trigrid.editor.document.Picking
 import org.trigrid.editor.document.Selection
@@ -37,7 +39,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
             drag == Drag.AREA -> "Release to pick the nodes inside; Shift adds to what is picked"
             host.state.selection.nodes.isNotEmpty() -> "Drag to move, onto another node to merge; Delete removes"
             host.state.selection.isEmpty -> "Click a shape or a node, or drag a box round nodes"
-            else -> "Drag to move, drag a square to change the shape; Delete removes"
+            else -> "Drag to move, a square to reshape; click the arrow to reverse"
         }
 
     override val lastPoint: Point2? get() = host.state.selection.nodes.singleOrNull()?.let { host.state.document.nodes.point(it) }
@@ -50,6 +52,12 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
         val reach = Snapper.REACH * input.pixel
         handle = handles().minByOrNull { it.point.distanceTo(pressed) }?.takeIf { it.point.distanceTo(pressed) <= reach && !input.isShiftDown }
         grabbed = Picking.node(document, input.x, input.y, reach)
+        val arrow = if (grabbed < 0 && handle == null) DirectionArrow.at(document, input.x, input.y, ARROW * input.pixel) else null
+        if (arrow != null && arrow.shape in host.state.selection.shapes) {
+            drag = Drag.NONE
+            host.execute(ShapeCommands.reverse(setOf(arrow.shape)))
+            return
+        }
         if (handle != null) {
             anchor = handle!!.point
             drag = Drag.WAITING
@@ -231,6 +239,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
     private companion object {
         /** Pixels that the hand may shake. */
         const val SLACK = 3.0
+        const val ARROW = 7.0
         const val LASSO_LEAST = 3
     }
 }

@@ -16,6 +16,7 @@ import org.trigrid.editor.session.newSession
 import org.trigrid.project.NodeLoop
 import org.trigrid.project.Project
 import org.trigrid.geometry.Point2
+import org.trigrid.shape.Direction
 import org.trigrid.shape.Rectangle
 
 class SelectToolTest {
@@ -97,6 +98,16 @@ class SelectToolTest {
         session.dragFrom(4.0, 4.0, 6.0, 5.0)
         assertEquals(Rectangle(0.0, 0.0, 6.0, 5.0, 1.0), session.document.path.shape(0))
         assertEquals(22, session.document.nodes.count)
+    }
+
+    @Test
+    fun `a click on the arrow of the picked shape turns it round`() {
+        val arrow = session.document.arrows.single()
+        session.click(arrow.place.x, arrow.place.y)
+        assertEquals(Direction.ANTICLOCKWISE, (session.document.path.shape(0) as Rectangle).direction)
+        session.click(arrow.place.x, arrow.place.y)
+        assertEquals(Direction.CLOCKWISE, (session.document.path.shape(0) as Rectangle).direction)
+        assertEquals("change direction", session.undoName)
     }
 
     @Test
