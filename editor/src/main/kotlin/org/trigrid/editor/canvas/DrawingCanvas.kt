@@ -29,6 +29,11 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
     private var panFrom: MouseEvent? = null
     private var wantsFit = true
 
+    /** Whether all is shown and should stay so when the sheet gets another size. */
+    private var isFitted = true
+    private var fittedWidth = 0.0
+    private var fittedHeight = 0.0
+
     /** Hears where the mouse is, in the domain's coordinates, and over which element, or -1. */
     var pointed: (Double, Double, Int) -> Unit = { _, _, _ -> }
 
@@ -48,6 +53,7 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
     var transform: ViewTransform = ViewTransform(40.0, -2.0, 12.0)
         private set(value) {
             field = value
+            isFitted = false
             redraw()
         }
 
@@ -100,6 +106,8 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
         if (wantsFit && width > 1 && height > 1) {
             wantsFit = false
             fit()
+        } else if (isFitted && (width != fittedWidth || height != fittedHeight)) {
+            fit()
         }
         redraw()
     }
@@ -114,6 +122,9 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
         }
         val box = Box.of(session.document.nodes.bounds()) ?: Box(0.0, 0.0, EMPTY_WIDTH, EMPTY_HEIGHT)
         fit(box)
+        isFitted = true
+        fittedWidth = width
+        fittedHeight = height
     }
 
     /** Shows a part, clear of the legend. */

@@ -18,7 +18,6 @@ internal class MeshNumbers(
     fun draw(mesh: MeshView, settings: ViewSettings) {
         if (!settings.showNumbers || mesh.sizes[1] * view.scale < ELEMENT_ROOM) return
         g.font = Font.font(10.0)
-        g.fill = colours.muted
         g.textAlign = TextAlignment.CENTER
         g.textBaseline = VPos.CENTER
         var left = MOST
@@ -28,7 +27,7 @@ internal class MeshNumbers(
             if (x < 0 || y < 0 || x > width || y > height) continue
             if (mesh.size(element) * view.scale < ELEMENT_ROOM) continue
             if (left-- == 0) break
-            g.fillText(element.toString(), x, y)
+            NumberText.draw(g, element.toString(), x, y, colours.text, colours.sheet)
         }
         g.textAlign = TextAlignment.LEFT
         g.textBaseline = VPos.BASELINE

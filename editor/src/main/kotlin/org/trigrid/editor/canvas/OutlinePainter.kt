@@ -49,8 +49,8 @@ internal class OutlinePainter(
             if (x < -MARGIN || y < -MARGIN || x > width + MARGIN || y > height + MARGIN) continue
             donut(x, y, if (isPicked) colours.accent else if (node in onConnectors) colours.connector else colours.node, if (isPicked) PICKED_DONUT else Math.min(DONUT, spacing.room(node) / 2.2))
             if (settings.showNumbers && (isPicked || spacing.room(node) > NUMBER_ROOM)) {
-                g.fill = if (isPicked) colours.accent else colours.muted
-                g.fillText(node.toString(), x + NUMBER_SHIFT, y - NUMBER_SHIFT)
+                val ink = if (isPicked) colours.accent else colours.text
+                NumberText.draw(g, node.toString(), x + NUMBER_SHIFT, y - NUMBER_SHIFT, ink, colours.sheet)
             }
         }
     }

@@ -192,7 +192,7 @@ internal class OverlayPainter(
         private const val MOST_NODES = 3000
         private const val MOST_PROBLEMS = 300
         private const val LEGEND_CELL = 30.0
-        private const val LEGEND_PAD = 14.0
+        private const val LEGEND_PAD = 22.0
         private const val LEGEND_HEIGHT = 62.0
         private const val LEGEND_MARGIN = 14.0
 
@@ -208,7 +208,7 @@ internal object LegendWords {
         Colouring.QUALITY -> "Quality (1 is equilateral)"
         Colouring.MIN_ANGLE -> "Smallest angle, degrees"
         Colouring.SIZE -> "Longest edge"
-        Colouring.DEGREE -> "Degree: from 6 by"
+        Colouring.DEGREE -> "Degree is off six by"
     }
 
     /** What stands at each end of the classes, from the lower end of the first. */
@@ -222,7 +222,7 @@ internal object LegendWords {
                 val size = mesh.sizes[0] * Math.pow(mesh.sizes[1] / mesh.sizes[0], level)
                 if (i % 2 == 0) Figures.plain(size, 3) else ""
             }
-            Colouring.DEGREE -> listOf("≥ 4", "", "", "", "", "0")
+            Colouring.DEGREE -> listOf("4 +", "", "", "", "", "0")
         }
     }
 }

@@ -2,6 +2,7 @@ package org.trigrid.editor.meshing
 
 import org.trigrid.MeshReport
 import org.trigrid.editor.document.EditorDocument
+import org.trigrid.mesh.NodeKind
 import org.trigrid.mesh.TriMesh
 import org.trigrid.quality.ElementFigures
 
@@ -33,8 +34,11 @@ internal class MeshView(
         return longest
     }
 
-    /** How far the degrees of an element's nodes are from six, at the worst node. */
-    fun degreeError(element: Int): Int = (0..2).maxOf { Math.abs(degrees[mesh.nodeOf(element, it)] - 6) }
+    /** How far the degrees of an element's inner nodes are from six, at the worst; the boundary sets those of its own. */
+    fun degreeError(element: Int): Int = (0..2).maxOf { corner ->
+        val node = mesh.nodeOf(element, corner)
+        if (mesh.kindOf(node) == NodeKind.INTERIOR) Math.abs(degrees[node] - IDEAL_DEGREE) else 0
+    }
 
     /** Where an element stands between the worst, 0, and the best, 1; for sizes between small and large. */
     fun level(element: Int, colouring: Colouring): Double = when (colouring) {
@@ -59,5 +63,6 @@ internal class MeshView(
     companion object {
         const val EQUILATERAL = 60.0
         const val WORST_DEGREE = 4
+        private const val IDEAL_DEGREE = 6
     }
 }
