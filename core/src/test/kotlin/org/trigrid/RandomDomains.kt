@@ -1,6 +1,13 @@
 package org.trigrid
 
 import org.trigrid.domain.Domain
+import org.trigrid.reliability.HostileDomains
+import org.trigrid.reliability.LatticeDomains
+import org.trigrid.reliability.PathDomains
+import org.trigrid.reliability.RandomLoops.placed
+import org.trigrid.reliability.RandomLoops.star
+import org.trigrid.reliability.RandomLoops.subdivided
+import org.trigrid.reliability.RandomLoops.uneven
 import java.util.Random
 
 /**
@@ -9,13 +16,19 @@ import java.util.Random
  * magnitude, many holes, touching loops, far offsets, tiny and huge scales.
  */
 internal object RandomDomains {
-    class Family(val name: String, private val maker: (Random) -> Domain) {
+    /** @param every only each so many-th seed is worth its time in a long run: the domains are large. */
+    class Family(val name: String, val every: Int = 1, private val maker: (Random) -> Domain) {
         fun make(seed: Long): Domain = maker(Random(seed * 7919 + name.hashCode()))
 
         override fun toString(): String = name
     }
 
-    val families: List<Family> = listOf(
+    /** Families of small domains, for the everyday tests. */
+    val small: List<Family> by lazy { families.filter { it.every == 1 } }
+
+    val families: List<Family> = basic() + HostileDomains.families + LatticeDomains.families + PathDomains.families
+
+    private fun basic() = listOf(
         Family("smooth star") { r -> built(star(r, 12 + r.nextInt(120), 0.15, 1), emptyList()) },
         Family("jagged star") { r -> built(star(r, 5 + r.nextInt(60), 0.9, 1), emptyList()) },
         Family("uneven spacing") { r -> built(uneven(r, star(r, 4 + r.nextInt(12), 0.6, 1), 4.0), emptyList()) },
@@ -42,38 +55,6 @@ internal object RandomDomains {
         return builder.build()
     }
 
-    /** A loop round the origin, radius 1 lowered by up to [noise]; [smoothness] averages the radii of neighbours. */
-    private fun star(r: Random, n: Int, noise: Double, smoothness: Int): DoubleArray {
-        var radii = DoubleArray(n) { 1 - noise * r.nextDouble() }
-        repeat(smoothness - 1) { radii = DoubleArray(n) { (radii[it] + radii[(it + 1) % n]) / 2 } }
-        return DoubleArray(2 * n) {
-            val angle = 2 * Math.PI * (it / 2 + 0.4 * Math.sin(it / 2 * 12.9)) / n
-            radii[it / 2] * if (it % 2 == 0) StrictMath.cos(angle) else StrictMath.sin(angle)
-        }
-    }
-
-    /** Splits the edges into pieces whose lengths differ by up to 10^[decades]. */
-    private fun uneven(r: Random, loop: DoubleArray, decades: Double): DoubleArray {
-        val out = ArrayList<Double>()
-        val n = loop.size / 2
-        for (i in 0 until n) {
-            val pieces = 1 + r.nextInt(12)
-            val lengths = DoubleArray(pieces) { StrictMath.pow(10.0, -decades * r.nextDouble()) }
-            val sum = lengths.sum()
-            var t = 0.0
-            for (k in 0 until pieces) {
-                val j = (i + 1) % n
-                out.add(loop[2 * i] + t * (loop[2 * j] - loop[2 * i]))
-                out.add(loop[2 * i + 1] + t * (loop[2 * j + 1] - loop[2 * i + 1]))
-                t += lengths[k] / sum
-            }
-        }
-        return out.toDoubleArray()
-    }
-
-    private fun placed(loop: DoubleArray, x: Double, y: Double, scale: Double): DoubleArray =
-        DoubleArray(loop.size) { loop[it] * scale + if (it % 2 == 0) x else y }
-
     private fun withHoles(r: Random, outer: DoubleArray, count: Int): Domain {
         val holes = ArrayList<DoubleArray>()
         for (k in 0 until count) {
@@ -96,16 +77,6 @@ internal object RandomDomains {
         val side = 0.3
         val hole = doubleArrayOf(gap, 0.3, gap + side, 0.3, gap + side, 0.6, gap, 0.6)
         return built(outer, listOf(subdivided(hole, 1 + r.nextInt(5))))
-    }
-
-    private fun subdivided(loop: DoubleArray, pieces: Int): DoubleArray {
-        val n = loop.size / 2
-        return DoubleArray(2 * n * pieces) {
-            val i = it / 2 / pieces
-            val t = (it / 2 % pieces) / pieces.toDouble()
-            val from = loop[2 * i + it % 2]
-            from + t * (loop[(2 * i + 2) % loop.size + it % 2] - from)
-        }
     }
 
     private fun comb(r: Random): DoubleArray {

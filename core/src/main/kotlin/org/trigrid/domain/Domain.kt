@@ -55,6 +55,13 @@ public class Domain internal constructor(
     /** The node to which the segment runs. */
     public fun segmentEnd(segment: Int): Int = segments[2 * segment + 1]
 
+    /** Length of a segment, in the unit of the coordinates. */
+    public fun segmentLength(segment: Int): Double {
+        val a = segmentStart(segment)
+        val b = segmentEnd(segment)
+        return Math.hypot(x(b) - x(a), y(b) - y(a))
+    }
+
     /** Index into [tags] of the segment's group. */
     public fun segmentTag(segment: Int): Int = segmentTags[segment]
 

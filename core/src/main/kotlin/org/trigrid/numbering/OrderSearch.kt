@@ -38,6 +38,8 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
             fromEnds()
             if (boundary.isNotEmpty()) scanStretches()
         }
+        // A likeness may have no start that works in the graph itself.
+        if (best.order.isEmpty()) fromEnds()
         refineStretch()
         mergeFromStretches()
         if (graph.nodeCount <= LARGE) mergeFromPlaces()

@@ -1,8 +1,14 @@
 package org.trigrid.spacing
 
+import java.util.BitSet
+
 /**
  * Sizes that pass smoothly from the spacing of one boundary to that of the next: linear in each triangle of the domain's
  * constrained Delaunay triangulation, from sizes at its nodes that already keep the gradation.
+ *
+ * A node finer than its stretch of the boundary rules only near itself: away from it, its part in the interpolation
+ * grows by the gradation up to what is [typical] of the stretch. Else two fine nodes far apart, joined by an edge of
+ * the triangulation, would ask for fine elements all the way between them.
  *
  * A triangle far longer than wide can still hold a slope above the gradation; there the cones of [cones] rule where they
  * are lower. A place outside of the domain has the size of the nearest place of the triangle where the walk ended.
@@ -11,18 +17,27 @@ internal class LinearField(
     private val mesh: ConstrainedDelaunay,
     /** Per node; keeps the gradation between any two nodes. */
     private val sizes: DoubleArray,
+    /** Per node: the size typical of the boundary near it, in [sizes] or above. */
+    private val typical: DoubleArray,
     private val cones: ConeTree,
-    gradation: Double,
+    private val gradation: Double,
 ) : SizeField {
     private val walk = TriangleWalk(mesh)
     private var lastSource = -1
-    private val steep = java.util.BitSet(mesh.triangleCount)
+    private val steep = BitSet(mesh.triangleCount)
+    private val uneven = BitSet(mesh.triangleCount)
 
     override var lastHint: Int = 0
         private set
 
     init {
-        for (t in 0 until mesh.triangleCount) if (slopeIn(t) > gradation * (1 + 1e-9)) steep.set(t)
+        for (t in 0 until mesh.triangleCount) {
+            if (slopeIn(t) > gradation * (1 + 1e-9)) steep.set(t)
+            for (k in 3 * t..3 * t + 2) {
+                val node = mesh.nodes[k]
+                if (typical[node] > NOTABLE * sizes[node]) uneven.set(t)
+            }
+        }
     }
 
     override fun hintOf(node: Int): Int = Math.max(0, mesh.edgeOfNode[node]) / 3
@@ -30,17 +45,29 @@ internal class LinearField(
     override fun sizeAt(x: Double, y: Double, hint: Int): Double {
         val t = walk.find(x, y, if (hint >= 0) hint else lastHint)
         lastHint = t
-        val size = interpolated(t)
+        val size = if (uneven.get(t)) interpolated(t, x, y) else interpolated(t)
         if (!steep.get(t)) return size
         val limited = cones.min(x, y, lastSource, size, GradedField.TOLERANCE)
         if (cones.winner >= 0) lastSource = cones.winner
         return limited
     }
 
-    private fun interpolated(t: Int): Double {
-        val a = sizes[mesh.nodes[3 * t]]
-        val b = sizes[mesh.nodes[3 * t + 1]]
-        val c = sizes[mesh.nodes[3 * t + 2]]
+    private fun interpolated(t: Int): Double =
+        weighted(sizes[mesh.nodes[3 * t]], sizes[mesh.nodes[3 * t + 1]], sizes[mesh.nodes[3 * t + 2]])
+
+    private fun interpolated(t: Int, x: Double, y: Double): Double =
+        weighted(grown(mesh.nodes[3 * t], x, y), grown(mesh.nodes[3 * t + 1], x, y), grown(mesh.nodes[3 * t + 2], x, y))
+
+    private fun grown(node: Int, x: Double, y: Double): Double {
+        val size = sizes[node]
+        val most = typical[node]
+        if (most <= size) return size
+        val dx = x - mesh.xy[2 * node]
+        val dy = y - mesh.xy[2 * node + 1]
+        return Math.min(most, size + gradation * Math.sqrt(dx * dx + dy * dy))
+    }
+
+    private fun weighted(a: Double, b: Double, c: Double): Double {
         val u = Math.max(0.0, walk.weight0)
         val v = Math.max(0.0, walk.weight1)
         val w = Math.max(0.0, walk.weight2)
@@ -64,5 +91,10 @@ internal class LinearField(
         val det = bx * cy - by * cx
         val slope = Math.hypot(hb * cy - hc * by, hc * bx - hb * cx) / det
         return if (slope >= 0) slope else Double.POSITIVE_INFINITY
+    }
+
+    private companion object {
+        /** Below this ratio of typical size to size the difference is not worth the distance. */
+        const val NOTABLE = 1.02
     }
 }

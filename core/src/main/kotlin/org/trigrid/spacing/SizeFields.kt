@@ -1,30 +1,24 @@
 package org.trigrid.spacing
 
-import org.trigrid.MeshOptions
-import org.trigrid.Sizes
 import org.trigrid.domain.Domain
 import org.trigrid.geometry.IntList
 
-/** Makes the size field that the options ask for. */
+/** Makes the size field that the rules ask for. */
 internal object SizeFields {
-    /** The field of a valid domain, made on a triangulation of its own where one is needed. */
+    /** The field of a valid domain, whose triangulation is [mesh]. */
     @JvmStatic
-    fun create(domain: Domain, options: MeshOptions): SizeField = create(domain, options, ConstrainedDelaunay.of(domain))
-
-    /** The field of a valid domain whose triangulation is at hand. */
-    @JvmStatic
-    fun create(domain: Domain, options: MeshOptions, mesh: ConstrainedDelaunay): SizeField {
-        val gradation = options.gradation
+    fun create(domain: Domain, rules: SizeRules, mesh: ConstrainedDelaunay): SizeField {
+        val gradation = rules.gradation
         val sizes = nodeSizes(domain)
         val cones = ConeTree(domain.xy, sizes, gradation)
         val limited = DoubleArray(domain.nodeCount) {
             cones.min(domain.x(it), domain.y(it), it, Double.POSITIVE_INFINITY)
         }
-        val ofBoundary = when (options.sizes) {
-            Sizes.SMOOTH -> LinearField(mesh, limited, cones, gradation)
+        val ofBoundary = when (rules.sizes) {
+            Sizes.SMOOTH -> LinearField(mesh, limited, typicalSizes(domain, limited), cones, gradation)
             Sizes.GRADE -> GradedField(cones)
         }
-        return bounded(ofBoundary, domain, limited, options)
+        return bounded(ofBoundary, domain, limited, rules)
     }
 
     /**
@@ -34,18 +28,48 @@ internal object SizeFields {
     @JvmStatic
     fun estimateElements(mesh: ConstrainedDelaunay, field: SizeField): Double = ElementEstimate(mesh, field).total()
 
-    private fun bounded(ofBoundary: SizeField, domain: Domain, sizes: DoubleArray, options: MeshOptions): SizeField {
-        val function = options.sizeFunction
-        if (function == null && options.minSize == 0.0 && options.maxSize == Double.POSITIVE_INFINITY) return ofBoundary
-        val user = function?.let { sample(it, domain, options.gradation) }
+    private fun bounded(ofBoundary: SizeField, domain: Domain, sizes: DoubleArray, rules: SizeRules): SizeField {
+        val function = rules.function
+        if (function == null && rules.minSize == 0.0 && rules.maxSize == Double.POSITIVE_INFINITY) return ofBoundary
+        val user = function?.let { sample(it, domain, rules.gradation) }
         val coarse = IntList()
         for (node in sizes.indices) {
             val ofUser = user?.sizeAt(domain.x(node), domain.y(node)) ?: Double.POSITIVE_INFINITY
-            if (sizes[node] > Math.min(options.maxSize, ofUser)) coarse.add(node)
+            if (sizes[node] > Math.min(rules.maxSize, ofUser)) coarse.add(node)
         }
         val coarseXy = DoubleArray(2 * coarse.size) { domain.xy[2 * coarse[it / 2] + it % 2] }
-        val coarseNodes = ConeTree(coarseXy, DoubleArray(coarse.size) { -sizes[coarse[it]] }, options.gradation)
-        return BoundedField(ofBoundary, user, options.minSize, options.maxSize, if (coarse.size > 0) coarseNodes else null)
+        val coarseNodes = ConeTree(coarseXy, DoubleArray(coarse.size) { -sizes[coarse[it]] }, rules.gradation)
+        return BoundedField(ofBoundary, user, rules.minSize, rules.maxSize, if (coarse.size > 0) coarseNodes else null)
+    }
+
+    /**
+     * Size typical of the boundary near each node: the mean length of the [WINDOW] segments before and after it in its
+     * loop, weighted by length, times [SHARE]; never below [sizes], and just that for nodes on embedded segments alone.
+     */
+    private fun typicalSizes(domain: Domain, sizes: DoubleArray): DoubleArray {
+        val typical = DoubleArray(sizes.size) { Double.POSITIVE_INFINITY }
+        for (loop in 0 until domain.loopCount) {
+            val first = domain.loopStart(loop)
+            val count = domain.loopStart(loop + 1) - first
+            val window = Math.min(WINDOW, count / 2)
+            val lengths = DoubleArray(count) { domain.segmentLength(first + it) }
+            for (i in 0 until count) {
+                var sum = 0.0
+                var squares = 0.0
+                for (k in i - window until i + window) {
+                    val length = lengths[Math.floorMod(k, count)]
+                    sum += length
+                    squares += length * length
+                }
+                val node = domain.segmentStart(first + i)
+                typical[node] = Math.min(typical[node], SHARE * squares / sum)
+            }
+        }
+        for (node in sizes.indices) {
+            if (typical[node] == Double.POSITIVE_INFINITY) typical[node] = sizes[node]
+            typical[node] = Math.max(typical[node], sizes[node])
+        }
+        return typical
     }
 
     private fun sample(function: SizeFunction, domain: Domain, gradation: Double): SampledSizes {
@@ -67,7 +91,7 @@ internal object SizeFields {
         for (s in 0 until domain.segmentCount) {
             val a = domain.segmentStart(s)
             val b = domain.segmentEnd(s)
-            val length = Math.hypot(domain.x(b) - domain.x(a), domain.y(b) - domain.y(a))
+            val length = domain.segmentLength(s)
             sizes[a] += length
             sizes[b] += length
             segmentsOfNode[a]++
@@ -78,4 +102,10 @@ internal object SizeFields {
         }
         return sizes
     }
+
+    /** Segments before and after a node that make its stretch of the boundary. */
+    private const val WINDOW = 8
+
+    /** Share of the stretch's mean length that a finer node may grow to; larger shares lose the grading of smooth curves. */
+    private const val SHARE = 1.0 / 3
 }

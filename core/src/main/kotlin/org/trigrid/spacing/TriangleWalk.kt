@@ -1,11 +1,15 @@
 package org.trigrid.spacing
 
+import org.trigrid.domain.SegmentTree
+
 /**
  * Finds the triangle of a place in a domain's triangulation by walking there from a triangle near by.
  *
  * The walk first crosses any side that the place lies beyond. In a domain that is not convex this may lead into a dead
- * end at the boundary; then a straight walk from the first triangle's middle is tried. A place that the second one does not reach
- * either is outside of the domain or hidden behind its boundary: the answer is then the triangle where the walk ended.
+ * end at the boundary; then a straight walk from the first triangle's middle is tried. A place that the second one does not
+ * reach either is looked up in a tree of the triangles' boxes, made when it is first needed: behind a hole must not count as
+ * outside, since the wrong triangle would be the next walk's start. The answer for a place that is outside is the triangle
+ * where the first walk ended.
  *
  * Plain doubles: a place within rounding of a side may be given to either triangle. Always ends, at the latest after as
  * many steps as there are triangles.
@@ -15,6 +19,7 @@ internal class TriangleWalk(private val mesh: ConstrainedDelaunay) {
     private val nodes = mesh.nodes
     private val twins = mesh.twins
     private val stepLimit = mesh.triangleCount + 8
+    private val tree by lazy(LazyThreadSafetyMode.NONE) { boxTree() }
 
     /** Weights of the corners of the last found triangle, before division by their sum; negative beyond a side. */
     var weight0 = 0.0
@@ -33,7 +38,33 @@ internal class TriangleWalk(private val mesh: ConstrainedDelaunay) {
         val triangle = freeWalk(x, y, start)
         if (reached) return triangle
         val second = straightWalk(x, y, start)
-        return if (reached) second else triangle.also { weigh(it, x, y) }
+        if (reached) return second
+        val third = lookUp(x, y)
+        return if (reached) third else triangle.also { weigh(it, x, y) }
+    }
+
+    private fun lookUp(x: Double, y: Double): Int {
+        var found = -1
+        tree.forEachIn(x, y, x, y) { t ->
+            if (found < 0) {
+                weigh(t, x, y)
+                if (weight0 >= 0 && weight1 >= 0 && weight2 >= 0) found = t
+            }
+        }
+        reached = found >= 0
+        return found
+    }
+
+    /** A segment from corner to corner of each triangle's box. */
+    private fun boxTree(): SegmentTree {
+        val corners = DoubleArray(4 * mesh.triangleCount) { i ->
+            val axis = i and 1
+            val first = xy[2 * nodes[3 * (i / 4)] + axis]
+            val second = xy[2 * nodes[3 * (i / 4) + 1] + axis]
+            val third = xy[2 * nodes[3 * (i / 4) + 2] + axis]
+            if (i and 2 == 0) Math.min(first, Math.min(second, third)) else Math.max(first, Math.max(second, third))
+        }
+        return SegmentTree(corners, IntArray(2 * mesh.triangleCount) { it })
     }
 
     private fun freeWalk(x: Double, y: Double, start: Int): Int {

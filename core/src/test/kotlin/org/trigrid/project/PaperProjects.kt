@@ -1,5 +1,6 @@
 package org.trigrid.project
 
+import org.trigrid.MeshOptions
 import org.trigrid.domain.Path
 import org.trigrid.geometry.Point2
 import org.trigrid.shape.Arc
@@ -15,44 +16,49 @@ import org.trigrid.shape.Rectangle
 
 /** The paper's cases, built through the library; `src-test-data/paper` holds their files. */
 internal object PaperProjects {
+    private const val HEXAGON_X = 1.1
+
     /** By file name, without `.trigrid.json`. */
     fun all(): Map<String, Project> = linkedMapOf(
-        "small-grid" to Project.of(Path.of(Lines.of(1.0, 0.0, 0.0, 4.0, 0.0, 4.0, 4.0, 0.0, 4.0, 0.0, 0.0).withName("side"))),
+        "small-grid" to Project.of(smallGrid()),
         "general" to Project.of(general()),
         "general-edited" to Project.of(generalEdited()),
-        "machine-part" to Project.of(machinePart(MachineSizes.UNIFORM)),
-        "machine-part-dense" to Project.of(machinePart(MachineSizes.DENSE)),
-        "machine-part-thinner" to Project.of(machinePart(MachineSizes.THINNER)),
+        "machine-part" to machinePart(MachineSizes.UNIFORM),
+        "machine-part-dense" to machinePart(MachineSizes.DENSE),
+        "machine-part-thinner" to machinePart(MachineSizes.THINNER),
         "owen" to Project.of(owen()),
         "bastian" to Project.of(bastian()),
         "hand" to Project.of(hand()),
     )
 
+    /** Fig. 7: sides of unit spacing round an area that has room for 34 nearly equilateral elements. */
+    fun smallGrid(): Path = Path.of(Lines.of(1.0, 0.0, 0.0, 4.0, 0.0, 4.5, 0.9, 2.0, 5.2, -0.5, 0.9, 0.0, 0.0).withName("side"))
+
     /** Fig. 8(a): lines, curves, an ellipse on a neck; rectangle, triangle, hexagon and circle left out. */
     fun general(): Path {
         val path = Path.of(
-            Lines.of(0.5, 0.0, 0.0, 6.0, 0.0, 7.0, 1.0, 9.0, 1.0).withName("bottom"),
-            Curve.of(0.5, 9.0, 1.0, 9.8, 2.0, 9.4, 3.2, 10.0, 4.25).withName("right"),
-            Ellipse(Point2(10.4, 4.5), Point2(12.4, 4.5), 2.0, 1.2, 0.42)
-                .withDistribution(Distribution.SYMMETRIC).withRatio(2.5).withName("ellipse"),
-            Lines.of(0.5, 10.0, 4.75, 9.5, 6.0, 8.0, 6.5).withName("right"),
-            Curve.of(0.45, 8.0, 6.5, 7.0, 7.6, 5.5, 7.0, 4.5, 8.0, 3.0, 8.2, 1.5, 7.4).withName("top"),
-            Lines.of(0.5, 1.5, 7.4, 0.0, 8.0, 0.0, 6.5).withName("left"),
-            Curve.of(0.45, 0.0, 6.5, -0.7, 5.5, 0.2, 4.5, -0.6, 3.4, 0.0, 2.5).withName("left"),
+            Lines.of(0.4, 0.0, 0.0, 6.0, 0.0, 7.0, 1.0, 9.0, 1.0).withName("bottom"),
+            Curve.of(0.3, 9.0, 1.0, 9.8, 2.0, 9.4, 3.2, 10.0, 4.25).withName("right"),
+            Ellipse(Point2(10.4, 4.5), Point2(12.4, 4.5), 2.0, 1.2, 0.36)
+                .withDistribution(Distribution.SYMMETRIC).withRatio(1.6).withName("ellipse"),
+            Lines.of(0.4, 10.0, 4.75, 9.5, 6.0, 8.0, 6.5).withName("right"),
+            Curve.of(0.3, 8.0, 6.5, 7.0, 7.6, 5.5, 7.0, 4.5, 8.0, 3.0, 8.2, 1.5, 7.4).withName("top"),
+            Lines.of(0.4, 1.5, 7.4, 0.0, 8.0, 0.0, 6.5).withName("left"),
+            Curve.of(0.3, 0.0, 6.5, -0.7, 5.5, 0.2, 4.5, -0.6, 3.4, 0.0, 2.5).withName("left"),
         )
         // Without the ellipse's first node the outline passes on to the ellipse by two nodes, a neck.
         val neck = path.nodesOf(2).first()
         return path.deleteNode(neck)
-            .append(Line(0.0, 2.5, 0.0, 0.0, 0.5).withName("left"))
+            .append(Line(0.0, 2.5, 0.0, 0.0, 0.4).withName("left"))
             .appendConnector(Line(0.0, 0.0, 1.2, 1.2, 0.5).withName("connector"))
-            .append(Rectangle(1.2, 1.2, 2.8, 2.2, 0.4).withDirection(Direction.CLOCKWISE).withName("rectangle"))
+            .append(Rectangle(1.2, 1.2, 2.8, 2.2, 0.35).withDirection(Direction.CLOCKWISE).withName("rectangle"))
             .appendConnector(Line(1.2, 1.2, 4.6, 1.0, 0.5).withName("connector"))
-            .append(Polygon(Point2(4.6, 1.0), Point2(5.4, 1.7), 3, 0.4).withDirection(Direction.CLOCKWISE).withName("triangle"))
+            .append(Polygon(Point2(4.6, 1.0), Point2(5.3, 1.6), 3, 0.35).withDirection(Direction.CLOCKWISE).withName("triangle"))
             .back()
             .appendConnector(Line(1.2, 1.2, 1.0, 4.4, 0.5).withName("connector"))
-            .append(Polygon(Point2(1.0, 4.4), Point2(2.0, 5.2), 6, 0.4).withDirection(Direction.CLOCKWISE).withName("hexagon"))
-            .appendConnector(Line(1.0, 4.4, 4.6, 4.2, 0.5).withName("connector"))
-            .append(Circle(Point2(4.6, 4.2), Point2(6.0, 4.2), 0.4).withDirection(Direction.CLOCKWISE).withName("circle"))
+            .append(Polygon(Point2(1.0, 4.4), Point2(2.0, 5.2), 6, 0.35).withDirection(Direction.CLOCKWISE).withName("hexagon"))
+            .appendConnector(Line(1.0, 4.4, 4.7, 4.3, 0.5).withName("connector"))
+            .append(Circle(Point2(4.7, 4.3), Point2(6.0, 4.3), 0.35).withDirection(Direction.CLOCKWISE).withName("circle"))
             .back().back().back()
     }
 
@@ -69,43 +75,59 @@ internal object PaperProjects {
         }
         val left = edited.nodesOf(6).filter { edited.y(it) in 3.6..4.9 }
         for (node in left) edited = edited.moveNode(node, edited.x(node) + 0.15, edited.y(node))
-        return edited.deleteNode(left[3]).deleteNode(left[1])
+        return edited.deleteNode(left[4]).deleteNode(left[3]).deleteNode(left[1])
     }
 
-    /** Wanted spacing at the machine part's corners, by their place. */
-    enum class MachineSizes(val scale: Double) {
-        UNIFORM(0.264) {
-            override fun at(x: Double, y: Double) = 1.0
-        },
-        DENSE(0.199) {
-            override fun at(x: Double, y: Double) = if (isNarrow(x, y)) 0.3 else 1.0
-        },
-        THINNER(0.195) {
-            override fun at(x: Double, y: Double) = if (isNarrow(x, y)) (if (x < 6) 0.3 else 0.35) else if (x > 6) 1.6 else 1.0
-        },
+    /** Wanted spacing at the machine part's corners, by their place; the factors are relative to [scale]. */
+    enum class MachineSizes(
+        val scale: Double,
+        private val prong: Double,
+        private val notch: Double,
+        private val arms: Double,
+        private val hexagon: Double,
+        private val right: Double,
+    ) {
+        UNIFORM(0.275, 1.0, 1.0, 1.0, 1.0, 1.0),
+        DENSE(0.2006, 0.3, 0.3, 0.3, 1.0, 1.0),
+        THINNER(0.186, 0.35, 0.5, 0.2, 0.8, 1.8),
         ;
 
-        abstract fun at(x: Double, y: Double): Double
-
-        fun isNarrow(x: Double, y: Double): Boolean = x == 8.0 || y == 5.0 || y > 5.9 && x in 2.4..3.4
+        fun at(x: Double, y: Double): Double = when {
+            x == 8.0 -> arms
+            y == 5.0 -> notch
+            y > 5.9 && x in 2.6..3.4 -> prong
+            x == HEXAGON_X -> hexagon
+            x > 3.0 && x != 3.6 -> right
+            else -> 1.0
+        }
     }
 
-    /** Fig. 9, after El-Hamalawi: two arms with narrow ends, a notch, a slot and a hexagonal hole. */
-    fun machinePart(sizes: MachineSizes): Path {
+    /** The paper's numbers of elements need limits of the sizes in the two cases whose inside would be coarser. */
+    private fun machinePart(sizes: MachineSizes): Project {
+        val options = when (sizes) {
+            MachineSizes.UNIFORM -> MeshOptions.builder().maxSize(0.255)
+            MachineSizes.DENSE -> MeshOptions.builder().maxSize(0.185)
+            MachineSizes.THINNER -> MeshOptions.builder().gradation(0.4)
+        }
+        return Project.builder().path(machinePath(sizes)).options(options.build()).build()
+    }
+
+    /** Fig. 9, after El-Hamalawi: a prong and two arms with narrow ends, a notch, a slot and a hexagonal hole. */
+    fun machinePath(sizes: MachineSizes): Path {
         val slotX = 2.2
         val path = Path.EMPTY
             .sides(sizes, "outline", 0.0, 0.0, slotX, 0.0)
-            .appendConnector(Line(slotX, 0.0, slotX, 1.05, 0.131).withName("connector"))
-            .arc(sizes, slotX, 1.05, slotX, 1.95)
-            .sides(sizes, "slot", slotX, 1.95, 3.6, 1.95)
-            .arc(sizes, 3.6, 1.95, 3.6, 1.05)
-            .sides(sizes, "slot", 3.6, 1.05, slotX, 1.05)
+            .appendConnector(Line(slotX, 0.0, slotX, 1.25, 0.156).withName("connector"))
+            .arc(sizes, slotX, 1.25, slotX, 2.15)
+            .sides(sizes, "slot", slotX, 2.15, 3.6, 2.15)
+            .arc(sizes, 3.6, 2.15, 3.6, 1.25)
+            .sides(sizes, "slot", 3.6, 1.25, slotX, 1.25)
             .back()
             .sides(
-                sizes, "outline", slotX, 0.0, 8.0, 0.0, 8.0, 0.45, 6.2, 0.8, 6.2, 2.2, 8.0, 2.6, 8.0, 3.0, 4.2, 3.0, 3.4, 3.6,
-                3.4, 6.0, 2.9, 6.5, 2.4, 6.0, 2.4, 5.0, 2.0, 5.0, 2.0, 6.5, 0.5, 6.5, 0.0, 6.0, 0.0, 4.2,
+                sizes, "outline", slotX, 0.0, 8.0, 0.0, 8.0, 0.25, 5.4, 0.65, 5.4, 2.75, 8.0, 3.15, 8.0, 3.4, 4.2, 3.4, 3.4, 4.0,
+                3.4, 6.0, 3.05, 6.5, 2.7, 6.0, 2.7, 5.0, 2.2, 5.0, 2.2, 6.5, 0.5, 6.5, 0.0, 6.0, 0.0, 4.2,
             )
-        val hexagon = Polygon(Point2(0.55, 4.2), Point2(1.1, 4.2), 6, sizes.scale * sizes.at(1.1, 4.2)).withName("hexagon")
+        val hexagon = Polygon(Point2(0.55, 4.2), Point2(HEXAGON_X, 4.2), 6, sizes.scale * sizes.at(HEXAGON_X, 4.2)).withName("hexagon")
         return path
             .appendOpening(Line(0.0, 4.2, 0.55, 4.2, 0.0786).withName("connector"), hexagon.withDirection(Direction.CLOCKWISE))
             .sides(sizes, "outline", 0.0, 4.2, 0.0, 0.0)
@@ -156,20 +178,20 @@ internal object PaperProjects {
     fun hand(): Path {
         val digits = listOf(
             Digit(Point2(-4.1, 4.2), Point2(-2.35, 1.9), 0.62),
-            Digit(Point2(-2.5, 8.9), Point2(-1.55, 5.0), 0.55),
-            Digit(Point2(-0.35, 9.9), Point2(-0.1, 5.3), 0.58),
-            Digit(Point2(1.75, 9.2), Point2(1.3, 5.1), 0.55),
-            Digit(Point2(3.7, 7.4), Point2(2.6, 4.5), 0.48),
+            Digit(Point2(-2.5, 8.9), Point2(-1.45, 4.6), 0.55),
+            Digit(Point2(-0.35, 9.9), Point2(-0.1, 4.9), 0.58),
+            Digit(Point2(1.75, 9.2), Point2(1.25, 4.7), 0.55),
+            Digit(Point2(3.7, 7.4), Point2(2.5, 4.1), 0.48),
         )
-        val pits = listOf(Point2(-1.55, 2.75), Point2(-0.85, 5.75), Point2(0.62, 5.75), Point2(2.0, 5.25))
+        val pits = listOf(Point2(-1.55, 2.75), Point2(-0.82, 5.25), Point2(0.6, 5.3), Point2(1.95, 4.8))
         val wristLeft = Point2(-1.5, -2.0)
         val wristRight = Point2(1.7, -2.0)
-        var path = Path.of(side(wristLeft, Point2(0.0, 1.0), digits[0], true))
+        var path = Path.of(side(wristLeft, Point2(0.0, 1.0), digits[0], true).withDistribution(Distribution.LINEAR).withRatio(0.35))
         for ((i, pit) in pits.withIndex()) {
             path = path.append(side(pit, Point2(1.0, if (i == 0) 0.6 else 0.0), digits[i], false))
                 .append(side(pit, Point2(1.0, if (i == 0) 0.6 else 0.0), digits[i + 1], true))
         }
-        return path.append(side(wristRight, Point2(0.0, -1.0), digits.last(), false))
+        return path.append(side(wristRight, Point2(0.0, -1.0), digits.last(), false).withDistribution(Distribution.LINEAR).withRatio(1 / 0.35))
             .append(Line(wristRight, wristLeft, 0.4).withName("wrist"))
     }
 
@@ -192,7 +214,7 @@ internal object PaperProjects {
         val vertices = listOf(foot, digit.at(digit.reach, sign * 1.08), digit.at(2.6, sign), digit.at(0.7, sign * 0.86), digit.tip)
         val tipTangent = Point2(digit.alongY, -digit.alongX)
         val ordered = if (isLeft) vertices else vertices.reversed()
-        return Curve(ordered, 0.26).clamped(if (isLeft) footTangent else tipTangent, if (isLeft) tipTangent else footTangent)
-            .withDistribution(Distribution.SYMMETRIC).withRatio(2.2).withName("skin")
+        return Curve(ordered, 0.27).clamped(if (isLeft) footTangent else tipTangent, if (isLeft) tipTangent else footTangent)
+            .withDistribution(Distribution.SYMMETRIC).withRatio(3.0).withName("skin")
     }
 }
