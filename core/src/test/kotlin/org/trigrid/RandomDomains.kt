@@ -92,8 +92,8 @@ internal object RandomDomains {
     }
 
     private fun spiral(r: Random): DoubleArray {
-        val n = 20 + r.nextInt(150)
         val turns = 1.0 + 3 * r.nextDouble()
+        val n = (25 * turns).toInt() + r.nextInt(150)
         val thickness = 0.05 + 0.8 * r.nextDouble()
         val out = DoubleArray(4 * n)
         for (k in 0 until n) {

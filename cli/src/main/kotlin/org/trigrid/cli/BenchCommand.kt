@@ -12,7 +12,6 @@ import org.trigrid.cli.bench.SpeedTables
 import org.trigrid.project.DomainInput
 import org.trigrid.project.DomainInputs
 import picocli.CommandLine.Command
-import picocli.CommandLine.Mixin
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.ParameterException
@@ -87,14 +86,11 @@ internal class BenchCommand(private val session: Session) : Callable<Int> {
     )
     var markdown: Path? = null
 
-    @Mixin
-    lateinit var meshing: MeshingArguments
-
     override fun call(): Int {
         if (runs < 1) throw ParameterException(spec.commandLine(), "--runs must be at least 1, not $runs")
         sizes.firstOrNull { !(it >= 1 && it <= MOST) }
             ?.let { throw ParameterException(spec.commandLine(), "--sizes must be from 1 to 1e8, not $it") }
-        val options = meshing.over(MeshOptions.builder().maxElements(Int.MAX_VALUE).build(), spec.commandLine())
+        val options = MeshOptions.builder().maxElements(Int.MAX_VALUE).build()
         val tables = if (compare) {
             PeerProgram(System.getenv("TRIGRID_PYTHON") ?: "python3", peerLimit).use { tables(options, it) }
         } else {
@@ -115,8 +111,8 @@ internal class BenchCommand(private val session: Session) : Callable<Int> {
     }
 
     private fun heading(): String {
-        val arguments = spec.commandLine().parseResult.originalArgs()
-        return "`trigrid bench ${arguments.joinToString(" ")}` on ${Machine.describe()}."
+        val arguments = spec.commandLine().parent.parseResult.originalArgs()
+        return "`trigrid ${arguments.joinToString(" ")}` on ${Machine.describe()}."
     }
 
     private fun domains(): List<DomainInput> = quality.flatMap { filesOf(it) }

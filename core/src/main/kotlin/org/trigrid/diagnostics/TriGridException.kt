@@ -39,13 +39,20 @@ public class FileFormatException(
     @get:JvmName("column") public val column: Int,
     reason: String,
     cause: Throwable? = null,
-) : TriGridException(place(source, line, column) + reason, cause) {
+) : TriGridException(place(source, line, column) + shortened(reason), cause) {
     private companion object {
+        const val LONGEST = 400
+        const val SHOWN_END = 100
+
         fun place(source: String, line: Int, column: Int): String = buildString {
             append(source)
             if (line > 0) append(':').append(line)
             if (line > 0 && column > 0) append(':').append(column)
             append(": ")
         }
+
+        /** A word of the file in the middle may be the whole file. */
+        fun shortened(reason: String): String =
+            if (reason.length <= LONGEST) reason else reason.take(LONGEST - SHOWN_END) + "…" + reason.takeLast(SHOWN_END)
     }
 }

@@ -5,6 +5,7 @@ import org.locationtech.jts.geom.GeometryCollection
 import org.locationtech.jts.geom.Polygon
 import org.locationtech.jts.io.ParseException
 import org.locationtech.jts.io.WKTReader
+import org.locationtech.jts.util.AssertionFailedException
 import org.trigrid.diagnostics.FileFormatException
 import org.trigrid.interop.JtsDomains
 
@@ -43,6 +44,8 @@ internal class WktReader private constructor(private val text: String, private v
         throw failure(from, e)
     } catch (e: IllegalArgumentException) {
         throw failure(from, e)
+    } catch (e: AssertionFailedException) {
+        throw failure(from, e)
     }
 
     /** JTS counts lines from where it began to read. */
@@ -75,7 +78,7 @@ internal class WktReader private constructor(private val text: String, private v
         var depth = 0
         for (i in from until text.length) {
             when (text[i]) {
-                '(' -> depth++
+                '(' -> if (++depth > MAX_DEPTH) throw TextPlace.exception(source, text, i, "more than $MAX_DEPTH brackets in one another")
                 ')' -> if (--depth <= 0) return i + 1
                 'Y', 'y' -> if (depth == 0 && text.regionMatches(i - 4, "EMPTY", 0, 5, ignoreCase = true)) return i + 1
             }
@@ -84,6 +87,8 @@ internal class WktReader private constructor(private val text: String, private v
     }
 
     companion object {
+        /** The parser goes as deep into its stack as brackets are nested. */
+        private const val MAX_DEPTH = 64
         private val LINE = Regex(" *\\(line (\\d+)\\)")
 
         /**

@@ -38,10 +38,14 @@ internal class JsonFields(private val value: JsonValue, private val what: String
     fun whole(key: String): Int {
         val value = any(key)
         val text = value.numberText() ?: wrong(key, "a whole number", value)
+        val reason = "\"$key\" must be a whole number of at most 32 bits, not $text"
+        if (text.length > MOST_DIGITS) value.fail(reason)
         return try {
             BigDecimal(text).intValueExact()
         } catch (e: ArithmeticException) {
-            value.fail("\"$key\" must be a whole number of at most 32 bits, not $text", e)
+            value.fail(reason, e)
+        } catch (e: NumberFormatException) {
+            value.fail(reason, e)
         }
     }
 
@@ -94,6 +98,9 @@ internal class JsonFields(private val value: JsonValue, private val what: String
         value.fail("\"$key\" must be $wanted, not ${value.kind}")
 
     companion object {
+        /** Characters of a whole number, which may have an exponent or noughts behind the point; more would only cost time. */
+        private const val MOST_DIGITS = 100
+
         /** The word of an enumeration's value in a file: `CUTHILL_MCKEE` is `cuthill-mckee`. */
         fun word(value: Enum<*>): String = value.name.lowercase().replace('_', '-')
     }

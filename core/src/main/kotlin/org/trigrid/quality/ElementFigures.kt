@@ -17,6 +17,7 @@ public class ElementFigures private constructor(private val measures: ElementMea
     public fun maxAngle(element: Int): Double = measures.maxAngles[element]
 
     public companion object {
+        /** The figures of all elements of [mesh]. */
         @JvmStatic
         public fun of(mesh: TriMesh): ElementFigures = ElementFigures(ElementMeasures(mesh))
     }

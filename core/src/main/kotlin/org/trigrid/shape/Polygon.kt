@@ -79,6 +79,9 @@ public class Polygon internal constructor(
     public companion object {
         private const val KIND = "polygon"
 
+        /** A regular polygon with more is a mistake. */
+        private const val MOST_VERTICES = 1_000_000
+
         /** A polygon with the vertices x0, y0, x1, y1, … */
         @JvmStatic
         public fun of(spacing: Double, vararg coordinates: Double): Polygon =
@@ -98,6 +101,7 @@ public class Polygon internal constructor(
         /** Vertices of a regular polygon, [first] first. */
         internal fun regular(first: Point2, centre: Point2, count: Int, direction: Direction): List<Point2> {
             if (count < 3) Traits.refuse(KIND, "vertexCount must be at least 3, not $count")
+            if (count > MOST_VERTICES) Traits.refuse(KIND, "vertexCount must be at most $MOST_VERTICES, not $count")
             Traits.finite(KIND, "firstPoint", first)
             Traits.finite(KIND, "centre", centre)
             if (Traits.samePlace(first, centre)) Traits.refuse(KIND, "radius must be a number above 0, not 0.0")

@@ -90,6 +90,7 @@ public class Similarity private constructor(
     public companion object {
         private const val FULL_TURN = 360.0
 
+        /** Moves by [dx] to the right and [dy] up, in the domain's unit. */
         @JvmStatic
         public fun translation(dx: Double, dy: Double): Similarity = Similarity(1.0, 0.0, false, dx, dy)
 
@@ -98,7 +99,11 @@ public class Similarity private constructor(
         public fun rotation(centre: Point2, angleDegrees: Double): Similarity =
             about(centre, Turn.cos(angleDegrees / FULL_TURN), Turn.sin(angleDegrees / FULL_TURN), false)
 
-        /** @throws IllegalArgumentException unless [factor] is a number above 0. */
+        /**
+         * Makes all lengths [factor] times as long, [centre] staying where it is.
+         *
+         * @throws IllegalArgumentException unless [factor] is a number above 0.
+         */
         @JvmStatic
         public fun scaling(centre: Point2, factor: Double): Similarity {
             require(factor > 0 && factor < Double.POSITIVE_INFINITY) { "factor must be a number above 0, not $factor" }

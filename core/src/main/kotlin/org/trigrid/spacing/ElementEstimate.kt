@@ -73,21 +73,22 @@ internal class ElementEstimate(private val mesh: ConstrainedDelaunay, private va
             val sides = density(hab) + density(hbc) + density(hca)
             return PER_AREA * area * (corners / 20 + 2 * sides / 15 + 9 * density(middle) / 20)
         }
-        when (longest) {
+        val isDivided = when (longest) {
             ab -> divide(ax, ay, ha, bx, by, hb, cx, cy, hc, hab)
             bc -> divide(bx, by, hb, cx, cy, hc, ax, ay, ha, hbc)
             else -> divide(cx, cy, hc, ax, ay, ha, bx, by, hb, hca)
         }
-        return 0.0
+        return if (isDivided) 0.0 else PER_AREA * area * meanDensity(ha, hb, hc)
     }
 
-    /** Halves the piece between a and b, whose middle has the size [hm]. */
+    /** Halves the piece between a and b, whose middle has the size [hm]; false where there is no double between the two. */
     private fun divide(
         ax: Double, ay: Double, ha: Double, bx: Double, by: Double, hb: Double, cx: Double, cy: Double, hc: Double, hm: Double,
-    ) {
-        if (9 * (pieceCount + 2) > pieces.size) pieces = pieces.copyOf(2 * pieces.size)
+    ): Boolean {
         val mx = 0.5 * (ax + bx)
         val my = 0.5 * (ay + by)
+        if ((mx == ax || mx == bx) && (my == ay || my == by)) return false
+        if (9 * (pieceCount + 2) > pieces.size) pieces = pieces.copyOf(2 * pieces.size)
         putCorner(0, ax, ay, ha)
         putCorner(1, mx, my, hm)
         putCorner(2, cx, cy, hc)
@@ -96,6 +97,7 @@ internal class ElementEstimate(private val mesh: ConstrainedDelaunay, private va
         putCorner(1, bx, by, hb)
         putCorner(2, cx, cy, hc)
         pieceCount++
+        return true
     }
 
     private fun sizeAt(x: Double, y: Double): Double {

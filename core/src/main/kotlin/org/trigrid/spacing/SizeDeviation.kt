@@ -20,8 +20,9 @@ public object SizeDeviation {
     @JvmStatic
     public fun of(mesh: TriMesh, domain: Domain): Double {
         val sizes = SizeFields.nodeSizes(domain)
-        val cones = ConeTree(domain.xy, sizes, 1.0)
-        val field = LinearField(ConstrainedDelaunay.of(domain), sizes, sizes, cones, Double.POSITIVE_INFINITY)
+        val triangulation = ConstrainedDelaunay.of(domain)
+        val walk = TriangleWalk(triangulation)
+        var near = 0
         var sum = 0.0
         var count = 0
         for (element in 0 until mesh.elementCount) {
@@ -30,11 +31,20 @@ public object SizeDeviation {
                 val a = mesh.nodeOf(element, k)
                 val b = mesh.nodeOf(element, (k + 1) % 3)
                 val length = Math.hypot(mesh.x(b) - mesh.x(a), mesh.y(b) - mesh.y(a))
-                val size = field.sizeAt(0.5 * (mesh.x(a) + mesh.x(b)), 0.5 * (mesh.y(a) + mesh.y(b)), -1)
-                sum += Math.abs(StrictMath.log(length / size))
+                near = walk.find(0.5 * (mesh.x(a) + mesh.x(b)), 0.5 * (mesh.y(a) + mesh.y(b)), near)
+                sum += Math.abs(StrictMath.log(length / interpolated(triangulation, near, walk, sizes)))
                 count++
             }
         }
         return sum / count / StrictMath.log(2.0)
+    }
+
+    private fun interpolated(triangulation: ConstrainedDelaunay, triangle: Int, walk: TriangleWalk, sizes: DoubleArray): Double {
+        val u = Math.max(0.0, walk.weight0)
+        val v = Math.max(0.0, walk.weight1)
+        val w = Math.max(0.0, walk.weight2)
+        val nodes = triangulation.nodes
+        val at = 3 * triangle
+        return (u * sizes[nodes[at]] + v * sizes[nodes[at + 1]] + w * sizes[nodes[at + 2]]) / (u + v + w)
     }
 }

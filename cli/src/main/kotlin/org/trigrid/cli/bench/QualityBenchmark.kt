@@ -1,7 +1,7 @@
 package org.trigrid.cli.bench
 
-import org.trigrid.spacing.Sizes
 import org.trigrid.project.DomainInput
+import org.trigrid.spacing.Sizes
 
 /** Meshes domains in all ways and keeps the figures. */
 internal class QualityBenchmark(peers: PeerProgram?, private val tell: (String) -> Unit) {

@@ -2,10 +2,10 @@ package org.trigrid.cli.bench
 
 import org.trigrid.MeshGenerator
 import org.trigrid.MeshOptions
-import org.trigrid.spacing.Sizes
 import org.trigrid.domain.Domain
 import org.trigrid.io.MeshFormats
 import org.trigrid.mesh.TriMesh
+import org.trigrid.spacing.Sizes
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.deleteIfExists

@@ -1,6 +1,7 @@
 package org.trigrid.cli.bench
 
 import org.trigrid.cli.bench.MarkdownTable.Companion.number
+import java.util.Locale
 
 /** Puts the figures of quality into tables: the medians over the domains first, then each way domain by domain. */
 internal class QualityTables(private val cases: Map<String, List<QualityCase>>) {
@@ -40,7 +41,7 @@ internal class QualityTables(private val cases: Map<String, List<QualityCase>>) 
             our[QualityMeasure.MEAN_Q] < their[QualityMeasure.MEAN_Q] - 0.005
 
     private fun difference(our: QualityCase, their: QualityCase, measure: QualityMeasure, decimals: Int) =
-        "%+.${decimals}f".format(java.util.Locale.ROOT, our[measure] - their[measure])
+        "%+.${decimals}f".format(Locale.ROOT, our[measure] - their[measure])
 
     private fun median(of: List<QualityCase>, measure: QualityMeasure): Double =
         if (of.isEmpty()) Double.NaN else SpeedCase.median(of.map { it[measure] })

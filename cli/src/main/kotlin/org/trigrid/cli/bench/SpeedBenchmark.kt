@@ -24,7 +24,7 @@ internal class SpeedBenchmark(
     /** Half of our runs, the peers, the other half: a machine that slows down meanwhile slows all alike. */
     fun measure(family: BenchmarkFamily, size: Double): SpeedCase {
         val domain = BenchmarkDomains.create(family, size)
-        val name = "${family.name.lowercase()} %.0e".format(java.util.Locale.ROOT, size)
+        val name = SpeedCase.name(family, size)
         tell("$name: TriGrid")
         // Short runs are repeated more often: they cost little and scatter more.
         val ours = if (size < SHORT) SHORT_FACTOR * runs else runs

@@ -1,6 +1,7 @@
 package org.trigrid.cli.bench
 
 import org.trigrid.diagnostics.Stage
+import java.util.Locale
 
 /** All runs on one domain. */
 internal class SpeedCase(
@@ -11,6 +12,7 @@ internal class SpeedCase(
     /** Null where a peer failed or took too long. */
     val peers: Map<Peer, PeerRun?>,
 ) {
+    val name: String get() = name(family, size)
     val elements: Int get() = runs.first().elements
     val least: Double get() = runs.minOf { it.threadSeconds }
     val median: Double get() = median(runs.map { it.threadSeconds })
@@ -26,6 +28,12 @@ internal class SpeedCase(
     fun rateOf(peer: Peer): Double = peers[peer]?.let { it.elements / it.seconds.min() } ?: Double.NaN
 
     companion object {
+        /** As `coast 1e5`. */
+        fun name(family: BenchmarkFamily, size: Double): String {
+            val text = "%.1e".format(Locale.ROOT, size).replace(".0e", "e").replace(Regex("e\\+0*"), "e")
+            return family.name.lowercase() + " " + text
+        }
+
         fun median(values: List<Double>): Double {
             val sorted = values.sorted()
             val half = sorted.size / 2

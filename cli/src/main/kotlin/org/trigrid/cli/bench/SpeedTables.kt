@@ -15,7 +15,7 @@ internal class SpeedTables(private val cases: List<SpeedCase>, private val peers
         for (case in cases) {
             table.add(
                 listOf(
-                    name(case), number(case.boundaryNodes.toDouble(), 0), number(case.elements.toDouble(), 0),
+                    case.name, number(case.boundaryNodes.toDouble(), 0), number(case.elements.toDouble(), 0),
                     rounded(case.least), rounded(case.median), rounded(case.processMedian), rate(case.rate), growth(case),
                 ),
             )
@@ -27,7 +27,7 @@ internal class SpeedTables(private val cases: List<SpeedCase>, private val peers
         val table = MarkdownTable("domain", *Stage.entries.map { it.name.lowercase() }.toTypedArray(), "whole")
         for (case in cases) {
             val stages = Stage.entries.map { case.secondsOf(it) * 1e9 / case.elements }
-            table.add(listOf(name(case)) + (stages + case.median * 1e9 / case.elements).map { number(it, 0) })
+            table.add(listOf(case.name) + (stages + case.median * 1e9 / case.elements).map { number(it, 0) })
         }
         return "$STAGES_HEADING\n$table"
     }
@@ -38,7 +38,7 @@ internal class SpeedTables(private val cases: List<SpeedCase>, private val peers
             *peers.keys.flatMap { listOf("${it.title} elements", "CPU s", "elements/s", "TriGrid is faster by") }.toTypedArray(),
         )
         for (case in cases) {
-            table.add(listOf(name(case), rate(case.rate)) + peers.keys.flatMap { ofPeer(case, it) })
+            table.add(listOf(case.name, rate(case.rate)) + peers.keys.flatMap { ofPeer(case, it) })
         }
         return "$COMPARISON_HEADING " + peers.entries.joinToString(", ") { "${it.key.title} ${it.value}" } + ".\n\n$table"
     }
@@ -60,9 +60,6 @@ internal class SpeedTables(private val cases: List<SpeedCase>, private val peers
     }
 
     private fun rate(value: Double) = if (value.isNaN()) "–" else number(value / 1000, 0) + " k"
-
-    private fun name(case: SpeedCase) =
-        case.family.name.lowercase() + " " + "%.0e".format(java.util.Locale.ROOT, case.size).replace("+0", "")
 
     private companion object {
         val TIMES_HEADING = """

@@ -1,0 +1,113 @@
+package org.trigrid.reliability
+
+import org.trigrid.MeshGenerator
+import org.trigrid.domain.Domain
+import org.trigrid.domain.DomainCheck
+import org.trigrid.domain.Path
+import org.trigrid.geometry.Point2
+import org.trigrid.io.GeoJsonReader
+import org.trigrid.io.MeshFormat
+import org.trigrid.io.MeshFormats
+import org.trigrid.io.MshReader
+import org.trigrid.io.PolyReader
+import org.trigrid.io.WktReader
+import org.trigrid.project.Project
+import org.trigrid.project.ProjectFile
+import org.trigrid.shape.Arc
+import org.trigrid.shape.Circle
+import org.trigrid.shape.Curve
+import org.trigrid.shape.Line
+import org.trigrid.shape.PaperShape
+import org.trigrid.shape.PaperText
+import org.trigrid.shape.Polygon
+import org.trigrid.shape.Rectangle
+import java.io.ByteArrayOutputStream
+import java.nio.file.Path as FilePath
+
+/** A kind of file that TriGrid reads: small valid samples, and how the text is read and then used. */
+internal class FileKind(val name: String, val samples: List<String>, private val reader: (String) -> Unit) {
+    fun read(text: String): Unit = reader(text)
+
+    companion object {
+        fun all(): List<FileKind> = listOf(
+            FileKind("project", listOf(project())) { text ->
+                // What a path or a domain refuses is told by TriGrid's own exceptions, after the file was read.
+                try {
+                    DomainCheck.check(ProjectFile.parse(text, "file").toDomain())
+                } catch (e: org.trigrid.diagnostics.InvalidDomainException) {
+                    check(e.faults.isNotEmpty())
+                }
+            },
+            FileKind("geojson", listOf(GEOJSON, LOOPS)) { text -> GeoJsonReader.read(text, "file", "base").forEach { DomainCheck.check(it.domain) } },
+            FileKind("wkt", listOf(WKT)) { text -> WktReader.read(text, "file", "base").forEach { DomainCheck.check(it.domain) } },
+            FileKind("poly", listOf(POLY)) { text -> PolyReader.read(FilePath.of("none.poly"), text).forEach { DomainCheck.check(it.domain) } },
+            FileKind("msh 2.2", listOf(mesh(MeshFormat.MSH_22))) { text -> MshReader.read(text.toByteArray(), "file") },
+            FileKind("msh 4.1", listOf(mesh(MeshFormat.MSH_41))) { text -> MshReader.read(text.toByteArray(), "file") },
+        ) + paperShapes().map { (kind, text) -> FileKind("paper ${kind.name.lowercase()}", listOf(text)) { PaperText.read(kind, it, "file") } }
+
+        private fun project(): String {
+            val path = Path.of(Line(0.0, 0.0, 4.0, 0.0, 0.5).withName("low"))
+                .appendOpening(Line(4.0, 0.0, 3.0, 1.0, 0.5), Circle(Point2(3.0, 1.0), Point2(2.5, 1.0), 0.4))
+                .append(Arc(Point2(4.0, 0.0), Point2(4.0, 4.0), 90.0, 0.5))
+                .append(Curve(listOf(Point2(4.0, 4.0), Point2(2.0, 4.5), Point2(0.0, 4.0)), 0.5)).close(0.5)
+                .newLoop().append(Rectangle(1.0, 2.5, 1.5, 3.0, 0.3)).newLoop().append(Polygon(Point2(3.0, 3.0), Point2(3.3, 3.0), 5, 0.2))
+            return ProjectFile.format(Project.builder().path(path.moveNode(2, 1.1, -0.1).deleteNode(5)).build())
+        }
+
+        private fun mesh(format: MeshFormat): String {
+            val domain = Domain.builder().outer(doubleArrayOf(0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0), "rim")
+                .embed(doubleArrayOf(0.2, 0.2, 0.4, 0.2), "line").build()
+            val out = ByteArrayOutputStream()
+            MeshFormats.write(MeshGenerator.generate(domain).mesh, out, format)
+            return out.toString(Charsets.UTF_8)
+        }
+
+        private fun paperShapes(): List<Pair<PaperShape, String>> {
+            val a = Point2(0.0, 0.0)
+            val b = Point2(2.0, 1.0)
+            return listOf(
+                PaperShape.LINE to Line(a, b, 0.5),
+                PaperShape.CURVE to Curve(listOf(a, b, Point2(3.0, 3.0)), 0.5),
+                PaperShape.RECTANGLE to Rectangle(a, b, 0.5),
+                PaperShape.POLYGON to Polygon(a, b, 5, 0.5),
+                PaperShape.CIRCLE to Circle(a, b, 0.5),
+            ).map { (kind, shape) -> kind to PaperText.write(shape) }
+        }
+
+        private const val LOOPS = """{"name": "two", "loops": [[[0, 0], [4, 0], [4, 4], [0, 4]], [[1, 1], [2, 1], [1, 2]]]}"""
+
+        private const val GEOJSON = """{"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"name": "a"},
+ "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [4.5, 0], [4, 4e0], [0, 4], [0, 0]], [[1, 1], [2, 1], [1, 2], [1, 1]]]}},
+ {"type": "Feature", "geometry": {"type": "GeometryCollection", "geometries": [{"type": "Point", "coordinates": [1, 2]},
+ {"type": "MultiPolygon", "coordinates": [[[[10, 0], [11, 0], [10, 1], [10, 0]]]]}]}}]}"""
+
+        private const val WKT = """# two
+SRID=4326;MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1)), ((10 0, 11 0, 10 1, 10 0)))
+GEOMETRYCOLLECTION (POINT (1 2), POLYGON ((0 0, 1e0 0, 0 1.5, 0 0)), POLYGON EMPTY)
+"""
+
+        private const val POLY = """# a square with a hole
+8 2 0 1
+1 0 0 1
+2 4 0 1
+3 4 4 1
+4 0 4 1
+5 1 1 2
+6 2 1 2
+7 2 2 2
+8 1 2 2
+8 1
+1 1 2 1
+2 2 3 1
+3 3 4 1
+4 4 1 1
+5 5 6 2
+6 6 7 2
+7 7 8 2
+8 8 5 2
+1
+1 1.5 1.5
+0
+"""
+    }
+}
