@@ -1,8 +1,8 @@
 package org.trigrid.editor.inspector
 
 import org.trigrid.MeshOptions
-import org.trigrid.Sizes
-import org.trigrid.Strategy
+import org.trigrid.spacing.Sizes
+import org.trigrid.front.Strategy
 import org.trigrid.editor.command.EditCommand
 import org.trigrid.editor.command.ProjectCommands
 import org.trigrid.editor.session.EditorSession
