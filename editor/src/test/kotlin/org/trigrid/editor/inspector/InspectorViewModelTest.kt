@@ -133,7 +133,7 @@ class InspectorViewModelTest {
         val project = session.document.project
         assertEquals(0.4, project.options.gradation)
         assertEquals(3.0, project.options.maxSize)
-        assertEquals(org.trigrid.Strategy.CLASSIC, project.options.strategy)
+        assertEquals(org.trigrid.front.Strategy.CLASSIC, project.options.strategy)
         assertEquals(false, project.options.improve)
         assertEquals("steel", project.regionName)
         assertTrue(project.keepsConnectors)
