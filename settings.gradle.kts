@@ -17,3 +17,4 @@ rootProject.name = "trigrid"
 include("core")
 include("cli")
 include("editor")
+include("benchmarks")

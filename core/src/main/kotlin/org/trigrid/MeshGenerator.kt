@@ -11,12 +11,13 @@ import org.trigrid.front.FrontMesher
 import org.trigrid.improve.MeshImprovement
 import org.trigrid.mesh.MeshFreezer
 import org.trigrid.mesh.TriMesh
+import org.trigrid.numbering.Numbering
 import org.trigrid.numbering.NumberingMethod
 import org.trigrid.numbering.NumberingMetrics
-import org.trigrid.numbering.Numbering
 import org.trigrid.quality.QualityReport
 import org.trigrid.spacing.ConstrainedDelaunay
 import org.trigrid.spacing.SizeFields
+import java.util.Locale
 
 /**
  * Makes meshes: checks the domain, finds the sizes, advances the front, improves the mesh and renumbers its nodes.
@@ -51,7 +52,7 @@ public object MeshGenerator {
 
         run.begin(Stage.SIZES)
         val triangulation = ConstrainedDelaunay.of(domain)
-        val sizes = SizeFields.create(domain, options, triangulation)
+        val sizes = SizeFields.create(domain, options.sizeRules(), triangulation)
         val expected = SizeFields.estimateElements(triangulation, sizes)
         if (expected > options.maxElements) throw TooManyElementsException(tooMany(expected, options))
 
@@ -60,7 +61,9 @@ public object MeshGenerator {
 
         run.begin(Stage.IMPROVE)
         if (options.improve) {
-            MeshImprovement.improve(raw.mesh, options) { if (!run.update(Stage.IMPROVE, it)) throw MeshingCancelledException() }
+            MeshImprovement.improve(raw.mesh, options.strategy, options.smoothingTolerance) {
+                if (!run.update(Stage.IMPROVE, it)) throw MeshingCancelledException()
+            }
         }
         val made = MeshFreezer.freeze(raw.mesh, domain)
 
@@ -83,7 +86,7 @@ public object MeshGenerator {
     private fun tooMany(expected: Double, options: MeshOptions): String {
         val megabytes = expected * BYTES_PER_ELEMENT / 1e6
         return "this domain needs about %.3g elements and %.0f MB, the limit is %d elements; raise maxElements or the sizes"
-            .format(java.util.Locale.ROOT, expected, megabytes, options.maxElements)
+            .format(Locale.ROOT, expected, megabytes, options.maxElements)
     }
 
     /** Peak memory of the mesher for each element, measured; rounded up. */

@@ -1,7 +1,10 @@
 package org.trigrid
 
+import org.trigrid.front.Strategy
 import org.trigrid.numbering.NumberingMethod
 import org.trigrid.spacing.SizeFunction
+import org.trigrid.spacing.SizeRules
+import org.trigrid.spacing.Sizes
 
 /**
  * All that can be asked of the mesher. Immutable; made by [builder].
@@ -50,6 +53,9 @@ public class MeshOptions private constructor(builder: Builder) {
     @get:JvmName("maxElements")
     public val maxElements: Int = builder.maxElements
 
+    /** What the options say about sizes. */
+    internal fun sizeRules(): SizeRules = SizeRules(sizes, gradation, minSize, maxSize, sizeFunction)
+
     /** Collects options; the same builder may build several times. */
     public class Builder internal constructor() {
         internal var sizes = Sizes.SMOOTH
@@ -63,6 +69,7 @@ public class MeshOptions private constructor(builder: Builder) {
         internal var numbering = NumberingMethod.BEST
         internal var maxElements = 20_000_000
 
+        /** Sets [MeshOptions.sizes]. */
         public fun sizes(value: Sizes): Builder = apply { sizes = value }
 
         /** @throws IllegalArgumentException unless finite and > 0. */
@@ -83,10 +90,13 @@ public class MeshOptions private constructor(builder: Builder) {
             maxSize = value
         }
 
+        /** Sets [MeshOptions.sizeFunction]; null for none. */
         public fun sizeFunction(value: SizeFunction?): Builder = apply { sizeFunction = value }
 
+        /** Sets [MeshOptions.strategy]. */
         public fun strategy(value: Strategy): Builder = apply { strategy = value }
 
+        /** Sets [MeshOptions.improve]. */
         public fun improve(value: Boolean): Builder = apply { improve = value }
 
         /** @throws IllegalArgumentException unless finite and > 0. */
@@ -95,6 +105,7 @@ public class MeshOptions private constructor(builder: Builder) {
             smoothingTolerance = value
         }
 
+        /** Sets [MeshOptions.numbering]. */
         public fun numbering(value: NumberingMethod): Builder = apply { numbering = value }
 
         /** @throws IllegalArgumentException unless > 0. */
@@ -129,25 +140,8 @@ public class MeshOptions private constructor(builder: Builder) {
         @JvmField
         public val DEFAULT: MeshOptions = Builder().build()
 
+        /** Starts from the default options. */
         @JvmStatic
         public fun builder(): Builder = Builder()
     }
-}
-
-/** How element sizes vary away from the boundary. */
-public enum class Sizes {
-    /** From the spacing of one boundary to that of the other, smoothly; slope limited by the gradation. */
-    SMOOTH,
-
-    /** Growing from the boundary by the gradation, as far as the domain allows. */
-    GRADE,
-}
-
-/** The rules by which the front makes elements. */
-public enum class Strategy {
-    /** The paper's: smallest angle first, cases A, B and C, eq. (1). */
-    CLASSIC,
-
-    /** Short edges first, placement by the size field, best candidate of several. */
-    ROBUST,
 }

@@ -1,5 +1,6 @@
 package org.trigrid
 
+import org.trigrid.diagnostics.Stage
 import org.trigrid.numbering.NumberingMetrics
 import org.trigrid.quality.QualityReport
 
@@ -21,7 +22,7 @@ public class MeshReport internal constructor(
     private val stageSeconds: DoubleArray,
 ) {
     /** Wall time of [stage], in seconds. */
-    public fun seconds(stage: org.trigrid.diagnostics.Stage): Double = stageSeconds[stage.ordinal]
+    public fun seconds(stage: Stage): Double = stageSeconds[stage.ordinal]
 
     /** Wall time of all stages together, in seconds. */
     @get:JvmName("totalSeconds")

@@ -15,9 +15,12 @@ import org.trigrid.diagnostics.ProgressMonitor
 import org.trigrid.diagnostics.Stage
 import org.trigrid.diagnostics.TooManyElementsException
 import org.trigrid.domain.Domain
+import org.trigrid.front.Strategy
 import org.trigrid.mesh.MeshCheck
 import org.trigrid.mesh.NodeKind
 import org.trigrid.mesh.TriMesh
+import org.trigrid.numbering.NumberingMethod
+import org.trigrid.spacing.Sizes
 
 class MeshGeneratorTest {
     @TestFactory
@@ -147,7 +150,7 @@ class MeshGeneratorTest {
 
     @Test
     fun `without improvement and renumbering the mesh is valid too`() {
-        val options = MeshOptions.builder().improve(false).numbering(org.trigrid.numbering.NumberingMethod.NONE).build()
+        val options = MeshOptions.builder().improve(false).numbering(NumberingMethod.NONE).build()
         for (family in RandomDomains.families.filter { it.every < 10 }) {
             val domain = family.make(1)
             val result = MeshGenerator.generate(domain, options)

@@ -15,6 +15,7 @@ internal object CommandLineFactory {
             .addSubcommand(CheckCommand(session))
             .addSubcommand(InfoCommand(session))
             .addSubcommand(PictureCommand(session))
+            .addSubcommand(BenchCommand(session))
             .addSubcommand(EditCommand(session))
             .setCaseInsensitiveEnumValuesAllowed(true)
             .setUsageHelpWidth(HELP_WIDTH)

@@ -1,9 +1,9 @@
 package org.trigrid.cli
 
 import org.trigrid.MeshOptions
-import org.trigrid.Sizes
-import org.trigrid.Strategy
+import org.trigrid.front.Strategy
 import org.trigrid.numbering.NumberingMethod
+import org.trigrid.spacing.Sizes
 import picocli.CommandLine
 import picocli.CommandLine.Option
 import picocli.CommandLine.ParameterException

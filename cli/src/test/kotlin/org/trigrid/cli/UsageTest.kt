@@ -12,13 +12,13 @@ class UsageTest {
         val outcome = Outcome.of("--help")
         assertEquals(ExitCodes.DONE, outcome.code)
         assertEquals("", outcome.err)
-        for (word in listOf("mesh", "check", "info", "picture", "edit", "Examples:", "Exit codes:")) {
+        for (word in listOf("mesh", "check", "info", "picture", "bench", "edit", "Examples:", "Exit codes:")) {
             assertTrue(word in outcome.out, "$word in ${outcome.out}")
         }
     }
 
     @ParameterizedTest
-    @ValueSource(strings = ["mesh", "check", "info", "picture", "edit"])
+    @ValueSource(strings = ["mesh", "check", "info", "picture", "bench", "edit"])
     fun `each command has help with an example`(command: String) {
         val outcome = Outcome.of(command, "--help")
         assertEquals(ExitCodes.DONE, outcome.code)

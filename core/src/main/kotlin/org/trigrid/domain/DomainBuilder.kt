@@ -1,5 +1,7 @@
 package org.trigrid.domain
 
+import java.util.Collections
+
 /**
  * Collects loops and embedded lines and makes a [Domain] of them.
  *
@@ -116,7 +118,7 @@ public class DomainBuilder internal constructor() {
 
     private fun tagNumber(tag: String): Int = tags.getOrPut(tag) { tags.size }
 
-    private fun sameTags(xy: DoubleArray, tag: String): List<String> = java.util.Collections.nCopies(xy.size / 2, tag)
+    private fun sameTags(xy: DoubleArray, tag: String): List<String> = Collections.nCopies(xy.size / 2, tag)
 
     private companion object {
         const val DEFAULT_TAG = "boundary"

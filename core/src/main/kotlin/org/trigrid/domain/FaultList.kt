@@ -2,6 +2,7 @@ package org.trigrid.domain
 
 import org.trigrid.diagnostics.Fault
 import org.trigrid.diagnostics.FaultKind
+import java.util.Arrays
 import java.util.EnumMap
 
 /** Collects faults; a flood of one kind neither fills the memory nor hides the other kinds. */
@@ -51,7 +52,7 @@ internal class FaultList {
         const val LIMIT = 1000
 
         val ORDER: Comparator<Fault> = Comparator { a, b ->
-            val byNodes = java.util.Arrays.compare(a.nodes(), b.nodes())
+            val byNodes = Arrays.compare(a.nodes(), b.nodes())
             if (byNodes != 0) byNodes else a.kind.compareTo(b.kind)
         }
     }

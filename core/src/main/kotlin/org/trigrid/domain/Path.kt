@@ -166,6 +166,7 @@ public class Path private constructor(internal val steps: List<PathStep>) {
     /** The domain, with connectors dropped and the region called "domain". */
     public fun toDomain(): Domain = toDomain(false)
 
+    /** As [toDomain] with a region name, the region called "domain". */
     public fun toDomain(keepConnectors: Boolean): Domain = toDomain(keepConnectors, "domain")
 
     /**
@@ -194,6 +195,7 @@ public class Path private constructor(internal val steps: List<PathStep>) {
         /** Tag of the segments of shapes without a name. */
         public const val UNNAMED_TAG: String = "boundary"
 
+        /** No shapes. */
         @JvmField
         public val EMPTY: Path = Path(emptyList())
 

@@ -9,7 +9,7 @@ import org.trigrid.domain.Domain
  *
  * Source: H. Naji, section 2, Figs. 5(a) to 5(d). Departures, all needed for the rules never to fail:
  * - every element is checked against the front, case A too, and the diagonal of four nodes as well;
- * - the length of eq. (1) is kept between half of the wanted size and twice the shorter side;
+ * - the length of eq. (1) is kept between 0.8 of the wanted size and twice the shorter side;
  * - when every angle has been refused, the smallest takes the constrained-Delaunay way out.
  *
  * An angle is known here by the front edge that leaves its node; angles that differ by less than 360 / [ANGLES]
@@ -157,7 +157,7 @@ internal class ClassicAdvancer(domain: Domain, state: FrontState, ticker: FrontT
         const val CASE_C = 5 * Math.PI / 6
         const val HALF_ROOT_3 = 0.8660254037844386
         const val ANGLES = 1 shl 15
-        const val LEAST_OF_SIZE = 0.5
+        const val LEAST_OF_SIZE = 0.8
         const val MOST_OF_SIDE = 2.0
     }
 }

@@ -8,6 +8,7 @@ import org.locationtech.jts.geom.GeometryFactory
 import org.locationtech.jts.geom.Location
 import org.locationtech.jts.geom.Polygon
 import org.trigrid.domain.Domain
+import java.util.BitSet
 
 /**
  * The paper's checks of a new node: not outside the boundary, not close to an existing node, and its two sides
@@ -71,7 +72,7 @@ internal class ClassicNodeCheck(domain: Domain, private val state: FrontState) {
     /** Every loop as a polygon of its own: a place is inside the domain where it is inside an odd number of them. */
     private fun loopsOf(domain: Domain): org.locationtech.jts.geom.MultiPolygon {
         val factory = GeometryFactory()
-        val seen = java.util.BitSet(front.idBound)
+        val seen = BitSet(front.idBound)
         val polygons = ArrayList<Polygon>()
         for (start in 0 until front.idBound) {
             if (seen[start]) continue

@@ -29,7 +29,7 @@ internal abstract class FrontAdvancer(protected val state: FrontState, keyCount:
     protected abstract fun tryEdge(edge: Int): Boolean
 
     fun run() {
-        for (edge in 0 until front.idBound) queue.put(edge, keyOf(edge))
+        for (edge in 0 until front.idBound) requeue(edge)
         while (true) {
             val edge = queue.peek()
             if (edge < 0) return
@@ -37,7 +37,7 @@ internal abstract class FrontAdvancer(protected val state: FrontState, keyCount:
                 ticker.tick(mesh.elementCount)
             } else {
                 front.fails[edge]++
-                queue.put(edge, keyOf(edge))
+                requeue(edge)
             }
         }
     }
@@ -53,7 +53,7 @@ internal abstract class FrontAdvancer(protected val state: FrontState, keyCount:
         val node = state.addNode(front.origin[edge], x, y)
         val fresh = front.advance(edge, node)
         requeueAround(edge)
-        requeueAround(fresh)
+        requeue(front.next[fresh])
         return node
     }
 
@@ -88,10 +88,10 @@ internal abstract class FrontAdvancer(protected val state: FrontState, keyCount:
 
     /** The angles at both ends of [edge] have changed: so have the keys of it and its neighbours. */
     private fun requeueAround(edge: Int) {
-        queue.put(edge, keyOf(edge))
-        val before = front.previous[edge]
-        queue.put(before, keyOf(before))
-        val after = front.next[edge]
-        queue.put(after, keyOf(after))
+        requeue(edge)
+        requeue(front.previous[edge])
+        requeue(front.next[edge])
     }
+
+    private fun requeue(edge: Int) = queue.put(edge, keyOf(edge))
 }

@@ -1,31 +1,32 @@
 package org.trigrid.front
 
 /**
- * Finds front edges near a place: a loose quadtree over the edges' midpoints.
+ * Finds front edges near a place: a quadtree over the edges' midpoints.
  *
  * An edge lives in the smallest cell on the way to its midpoint whose side is at least [LOOSENESS] times the edge's
- * extent, so it reaches out of its cell by at most `side / (2 LOOSENESS)`. Long and short edges thus live on
- * different levels, and the cost of a query depends on what is near, not on how sizes vary over the domain. A cell is
- * freed with its last edge: memory follows the front, not the mesh.
+ * extent, so it may reach out of its cell. Long and short edges thus live on different levels, and the cost of a query
+ * depends on what is near, not on how sizes vary over the domain. Each cell knows how far from its centre the edges in
+ * and below it reach: far above short edges that is hardly more than the cell, and a query goes down one path, not four.
+ * A cell is freed with its last edge: memory follows the front, not the mesh.
  */
 internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double) {
-    private var child = IntArray(4 * 64)
-    private var parent = IntArray(64)
-    private var count = IntArray(64)
-    private var head = IntArray(64)
+    /** [LINKS] per cell: its four children, 0 for none; its parent; its first edge, -1 for none. */
+    private var links = IntArray(LINKS * 64)
 
-    /** Centre x, centre y and half of the loose side, 3 per cell. */
-    private var box = DoubleArray(3 * 64)
+    /** [SHAPE] per cell: centre x and y, half of a child's side, nothing; then how far each child reaches. */
+    private var shape = DoubleArray(SHAPE * 64)
     private var cells = 1
     private var freeCell = 0
-    private val rootHalf: Double
-
-    /** What rounding may do to midpoints and to centres of cells, which cells far smaller than their coordinates do not cover. */
-    private val slack: Double
 
     private var cellOf = IntArray(64)
     private var nextInCell = IntArray(64)
     private var previousInCell = IntArray(64)
+
+    /** [BOX] per edge: least x and y, largest x and y. */
+    private var boxes = DoubleArray(BOX * 64)
+
+    /** Covers the rounding of midpoints, centres and distances, whatever the place of the domain. */
+    private val slack: Double
     private var stack = IntArray(256)
 
     /** Edges found by the last [query]. */
@@ -35,54 +36,69 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
 
     init {
         val side = Math.max(maxX - minX, maxY - minY)
+        links[FIRST] = -1
+        shape[0] = 0.5 * (minX + maxX)
+        shape[1] = 0.5 * (minY + maxY)
         // A power of two, so that scaling a domain by one scales every cell and changes no comparison.
-        rootHalf = Math.scalb(1.0, Math.getExponent(side) + 1)
-        slack = ROUNDED_STEPS * Math.max(ulpOf(minX, maxX), ulpOf(minY, maxY))
-        head[0] = -1
-        box[0] = 0.5 * (minX + maxX)
-        box[1] = 0.5 * (minY + maxY)
-        box[2] = Double.POSITIVE_INFINITY
+        shape[HALF] = Math.scalb(1.0, Math.getExponent(side))
+        val farthest = Math.max(Math.max(Math.abs(minX), Math.abs(maxX)), Math.max(Math.abs(minY), Math.abs(maxY)))
+        slack = Math.scalb(1.0, Math.getExponent(farthest) - SLACK_BITS)
     }
 
     fun insert(edge: Int, ax: Double, ay: Double, bx: Double, by: Double) {
-        val x = 0.5 * (ax + bx)
-        val y = 0.5 * (ay + by)
-        val wanted = LOOSENESS * Math.max(Math.abs(bx - ax), Math.abs(by - ay))
-        var cell = 0
-        var half = rootHalf
-        count[0]++
-        while (half >= wanted) {
-            val quadrant = (if (x >= box[3 * cell]) 1 else 0) or (if (y >= box[3 * cell + 1]) 2 else 0)
-            half *= 0.5
-            var below = child[4 * cell + quadrant]
-            if (below == 0) below = addCell(cell, quadrant, half)
-            cell = below
-            count[cell]++
-        }
+        val cell = cellFor(0.5 * (ax + bx), 0.5 * (ay + by), 0.5 * Math.max(Math.abs(bx - ax), Math.abs(by - ay)))
         if (edge >= cellOf.size) growEdges(edge)
-        val first = head[cell]
+        val box = BOX * edge
+        boxes[box] = Math.min(ax, bx)
+        boxes[box + 1] = Math.min(ay, by)
+        boxes[box + 2] = Math.max(ax, bx)
+        boxes[box + 3] = Math.max(ay, by)
+        val first = links[LINKS * cell + FIRST]
         cellOf[edge] = cell
         nextInCell[edge] = first
         previousInCell[edge] = -1
         if (first >= 0) previousInCell[first] = edge
-        head[cell] = edge
+        links[LINKS * cell + FIRST] = edge
+    }
+
+    /** The cell for an edge, made where there is none; those on the way learn how far an edge of this half extent reaches. */
+    private fun cellFor(x: Double, y: Double, halfExtent: Double): Int {
+        val wanted = LOOSENESS * halfExtent
+        val own = halfExtent + slack
+        var cell = 0
+        while (true) {
+            val at = SHAPE * cell
+            val half = shape[at + HALF]
+            if (half < wanted) return cell
+            val dx = x - shape[at]
+            val dy = y - shape[at + 1]
+            val quadrant = (if (dx >= 0) 1 else 0) or (if (dy >= 0) 2 else 0)
+            val reach = Math.max(Math.abs(Math.abs(dx) - half), Math.abs(Math.abs(dy) - half)) + own
+            var below = links[LINKS * cell + quadrant]
+            if (below == 0) {
+                below = addCell(cell, quadrant)
+                shape[SHAPE * cell + REACH + quadrant] = reach
+            } else if (reach > shape[at + REACH + quadrant]) {
+                shape[at + REACH + quadrant] = reach
+            }
+            cell = below
+        }
     }
 
     fun remove(edge: Int) {
         var cell = cellOf[edge]
         val before = previousInCell[edge]
         val after = nextInCell[edge]
-        if (before >= 0) nextInCell[before] = after else head[cell] = after
         if (after >= 0) previousInCell[after] = before
-        while (cell != 0) {
-            val above = parent[cell]
-            if (--count[cell] == 0) release(cell, above)
-            cell = above
+        if (before >= 0) {
+            nextInCell[before] = after
+            return
         }
-        count[0]--
+        links[LINKS * cell + FIRST] = after
+        while (cell != 0 && isEmpty(cell)) cell = release(cell)
     }
 
-    /** Puts into [found] every edge whose loose cell overlaps the box; the edges' own boxes are the caller's to test. */
+    /** Puts into [found] every edge whose own box overlaps this one. */
     fun query(x0: Double, y0: Double, x1: Double, y1: Double) {
         val x = 0.5 * (x0 + x1)
         val y = 0.5 * (y0 + y1)
@@ -93,59 +109,71 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
         var depth = 1
         while (depth > 0) {
             val cell = stack[--depth]
-            var edge = head[cell]
-            while (edge >= 0) {
-                if (foundCount == found.size) found = found.copyOf(2 * foundCount)
-                found[foundCount++] = edge
-                edge = nextInCell[edge]
-            }
+            collect(links[LINKS * cell + FIRST], x0, y0, x1, y1)
             if (depth + 4 > stack.size) stack = stack.copyOf(2 * stack.size)
-            for (at in 4 * cell..4 * cell + 3) {
-                val below = child[at]
+            val at = SHAPE * cell
+            val half = shape[at + HALF]
+            val dx = x - shape[at]
+            val dy = y - shape[at + 1]
+            for (quadrant in 0..3) {
+                val below = links[LINKS * cell + quadrant]
                 if (below == 0) continue
-                val reach = box[3 * below + 2]
-                if (Math.abs(box[3 * below] - x) <= reach + halfWidth && Math.abs(box[3 * below + 1] - y) <= reach + halfHeight) {
-                    stack[depth++] = below
-                }
+                val reach = shape[at + REACH + quadrant]
+                val fromX = if (quadrant and 1 != 0) dx - half else dx + half
+                val fromY = if (quadrant and 2 != 0) dy - half else dy + half
+                if (Math.abs(fromX) <= reach + halfWidth && Math.abs(fromY) <= reach + halfHeight) stack[depth++] = below
             }
         }
     }
 
-    private fun addCell(above: Int, quadrant: Int, half: Double): Int {
+    private fun collect(first: Int, x0: Double, y0: Double, x1: Double, y1: Double) {
+        var edge = first
+        while (edge >= 0) {
+            val box = BOX * edge
+            if (boxes[box] <= x1 && boxes[box + 2] >= x0 && boxes[box + 1] <= y1 && boxes[box + 3] >= y0) {
+                if (foundCount == found.size) found = found.copyOf(2 * foundCount)
+                found[foundCount++] = edge
+            }
+            edge = nextInCell[edge]
+        }
+    }
+
+    private fun addCell(above: Int, quadrant: Int): Int {
         val cell: Int
         if (freeCell != 0) {
             cell = freeCell
-            freeCell = parent[cell]
+            freeCell = links[LINKS * cell + PARENT]
         } else {
             cell = cells++
-            if (cell == parent.size) growCells()
+            if (LINKS * cell == links.size) growCells()
         }
-        child[4 * above + quadrant] = cell
-        child.fill(0, 4 * cell, 4 * cell + 4)
-        parent[cell] = above
-        count[cell] = 0
-        head[cell] = -1
-        box[3 * cell] = box[3 * above] + (if (quadrant and 1 != 0) half else -half)
-        box[3 * cell + 1] = box[3 * above + 1] + (if (quadrant and 2 != 0) half else -half)
-        box[3 * cell + 2] = half * (1 + 1 / LOOSENESS) * ROUNDING + slack
+        links[LINKS * above + quadrant] = cell
+        links[LINKS * cell + PARENT] = above
+        links[LINKS * cell + FIRST] = -1
+        val half = shape[SHAPE * above + HALF]
+        shape[SHAPE * cell] = shape[SHAPE * above] + (if (quadrant and 1 != 0) half else -half)
+        shape[SHAPE * cell + 1] = shape[SHAPE * above + 1] + (if (quadrant and 2 != 0) half else -half)
+        shape[SHAPE * cell + HALF] = 0.5 * half
         return cell
     }
 
-    private fun release(cell: Int, above: Int) {
-        for (at in 4 * above..4 * above + 3) if (child[at] == cell) child[at] = 0
-        parent[cell] = freeCell
-        freeCell = cell
+    private fun isEmpty(cell: Int): Boolean {
+        val at = LINKS * cell
+        return links[at + FIRST] < 0 && links[at] or links[at + 1] or links[at + 2] or links[at + 3] == 0
     }
 
-    private fun ulpOf(low: Double, high: Double) = Math.ulp(Math.max(Math.abs(low), Math.abs(high)))
+    /** Frees a cell and returns its parent. */
+    private fun release(cell: Int): Int {
+        val above = links[LINKS * cell + PARENT]
+        for (at in LINKS * above..LINKS * above + 3) if (links[at] == cell) links[at] = 0
+        links[LINKS * cell + PARENT] = freeCell
+        freeCell = cell
+        return above
+    }
 
     private fun growCells() {
-        val size = 2 * parent.size
-        child = child.copyOf(4 * size)
-        parent = parent.copyOf(size)
-        count = count.copyOf(size)
-        head = head.copyOf(size)
-        box = box.copyOf(3 * size)
+        links = links.copyOf(2 * links.size)
+        shape = shape.copyOf(2 * shape.size)
     }
 
     private fun growEdges(edge: Int) {
@@ -153,15 +181,22 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
         cellOf = cellOf.copyOf(size)
         nextInCell = nextInCell.copyOf(size)
         previousInCell = previousInCell.copyOf(size)
+        boxes = boxes.copyOf(BOX * size)
     }
 
     private companion object {
-        const val LOOSENESS = 1.0
+        /** Of a cell's side to the extent of its edges, at least; lists are cheap to go through, levels are not. */
+        const val LOOSENESS = 8.0
 
-        /** Covers the rounding of what is relative to a cell. */
-        const val ROUNDING = 1.0 + 1e-9
+        /** 32 units in the last place. */
+        const val SLACK_BITS = 47
 
-        /** Units in the last place by which a midpoint and a centre may be off together, with room to spare. */
-        const val ROUNDED_STEPS = 4.0
+        const val LINKS = 8
+        const val PARENT = 4
+        const val FIRST = 5
+        const val SHAPE = 8
+        const val HALF = 2
+        const val REACH = 4
+        const val BOX = 4
     }
 }

@@ -1,6 +1,5 @@
 package org.trigrid.front
 
-import org.trigrid.Strategy
 import org.trigrid.diagnostics.ProgressMonitor
 import org.trigrid.domain.Domain
 import org.trigrid.mesh.MutableMesh

@@ -71,6 +71,41 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
         val height = Math.max(FLATTEST * length, Math.sqrt(Math.max(0.0, size * size - 0.25 * length * length)))
         px = mx - height * dy / length
         py = my + height * dx / length
+        leanToCorner(edge, length)
+    }
+
+    /**
+     * Where one end of the base edge is a corner of about 90 degrees, moves the ideal place to the bisector, as the
+     * paper's case B: two good elements there instead of one that cuts the corner off.
+     */
+    private fun leanToCorner(edge: Int, length: Double) {
+        val ahead = front.origin[front.next[front.next[edge]]]
+        val behind = front.origin[front.previous[edge]]
+        val atEnd = isHalved(ahead, bx, by, ax, ay, length)
+        val atStart = isHalved(behind, ax, ay, bx, by, length)
+        if (atEnd == atStart) return
+        if (atEnd) placeOnBisector(ahead, bx, by, ax, ay, length) else placeOnBisector(behind, ax, ay, bx, by, length)
+    }
+
+    /** Whether the angle at the end v of the base edge v-w, towards the next front node q, is to be halved. */
+    private fun isHalved(q: Int, vx: Double, vy: Double, wx: Double, wy: Double, length: Double): Boolean {
+        val qx = mesh.xy[2 * q]
+        val qy = mesh.xy[2 * q + 1]
+        val other = Math.sqrt((qx - vx) * (qx - vx) + (qy - vy) * (qy - vy))
+        if (other > UNLIKE * length || length > UNLIKE * other) return false
+        val cosine = ((wx - vx) * (qx - vx) + (wy - vy) * (qy - vy)) / (length * other)
+        return cosine > WIDEST_HALVED && cosine < SHARP_EAR && TriangleQuality.shape(ax, ay, bx, by, qx, qy) > 0
+    }
+
+    private fun placeOnBisector(q: Int, vx: Double, vy: Double, wx: Double, wy: Double, length: Double) {
+        val tx = mesh.xy[2 * q] - vx
+        val ty = mesh.xy[2 * q + 1] - vy
+        val other = Math.sqrt(tx * tx + ty * ty)
+        val ux = (wx - vx) / length + tx / other
+        val uy = (wy - vy) / length + ty / other
+        val norm = Math.sqrt(ux * ux + uy * uy)
+        px = vx + size * ux / norm
+        py = vy + size * uy / norm
     }
 
     private fun queryNear() = index.query(
@@ -191,9 +226,13 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
         /** A new node must be this much better than an existing one to be made. */
         const val NEW_NODE_FACTOR = 0.78
 
-        /** Cosines of about 100 and 80 degrees: neighbours are left alone above the first, preferred below the second. */
-        const val WIDEST_EAR = -0.18
+        /** Cosines of about 87 and 80 degrees: neighbours are left alone above the first, preferred below the second. */
+        const val WIDEST_EAR = 0.05
         const val SHARP_EAR = 0.17
+
+        /** Cosine of 120 degrees: angles from [SHARP_EAR] to this one are halved, if their sides are about as long. */
+        const val WIDEST_HALVED = -0.5
+        const val UNLIKE = 1.6
 
         const val LEAST_QUALITY = 0.25
         const val LEAST_QUALITY_LATER = 0.02

@@ -1,7 +1,6 @@
 package org.trigrid.improve
 
-import org.trigrid.MeshOptions
-import org.trigrid.Strategy
+import org.trigrid.front.Strategy
 import org.trigrid.mesh.MutableMesh
 
 /** Improves the raw mesh of the front as befits the strategy that made it. */
@@ -9,16 +8,17 @@ internal object MeshImprovement {
     /**
      * Improves [mesh] in place and compacts it.
      *
+     * @param smoothingTolerance part of a node's size; smoothing stops when no node moves by more.
      * @param report hears of the progress, from 0 to 1, and may throw to end the work.
      */
     @JvmStatic
-    fun improve(mesh: MutableMesh, options: MeshOptions, report: (Double) -> Unit) {
-        when (options.strategy) {
+    fun improve(mesh: MutableMesh, strategy: Strategy, smoothingTolerance: Double, report: (Double) -> Unit) {
+        when (strategy) {
             Strategy.CLASSIC -> {
-                LaplacianSmoother(mesh, options.smoothingTolerance, isGuarded = true).run(report)
+                LaplacianSmoother(mesh, smoothingTolerance, isGuarded = true).run(report)
                 mesh.compact()
             }
-            Strategy.ROBUST -> MeshImprover(mesh, options.smoothingTolerance).run(report)
+            Strategy.ROBUST -> MeshImprover(mesh, smoothingTolerance).run(report)
         }
     }
 }

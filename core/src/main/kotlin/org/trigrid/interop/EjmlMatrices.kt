@@ -3,6 +3,7 @@ package org.trigrid.interop
 import org.ejml.data.DMatrixSparseCSC
 import org.trigrid.mesh.TriMesh
 import org.trigrid.numbering.NodeGraph
+import java.util.Arrays
 
 /** Meshes as EJML matrices. */
 public object EjmlMatrices {
@@ -23,12 +24,12 @@ public object EjmlMatrices {
             val from = at
             matrix.nz_rows[at++] = node
             for (k in graph.starts[node] until graph.starts[node + 1]) matrix.nz_rows[at++] = graph.targets[k]
-            java.util.Arrays.sort(matrix.nz_rows, from, at)
+            Arrays.sort(matrix.nz_rows, from, at)
         }
         matrix.col_idx[nodes] = at
         matrix.nz_length = at
         matrix.indicesSorted = true
-        java.util.Arrays.fill(matrix.nz_values, 0, at, 1.0)
+        Arrays.fill(matrix.nz_values, 0, at, 1.0)
         return matrix
     }
 }

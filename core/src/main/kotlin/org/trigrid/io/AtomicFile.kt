@@ -14,6 +14,7 @@ import java.nio.file.StandardOpenOption
 public object AtomicFile {
     /** Writes the bytes of a file. */
     public fun interface Content {
+        /** Writes all bytes to [out] and leaves it open. */
         @Throws(IOException::class)
         public fun writeTo(out: OutputStream)
     }

@@ -1,5 +1,7 @@
 package org.trigrid.mesh
 
+import java.util.BitSet
+
 /**
  * Euler's formula for a mesh whose parts may touch at nodes.
  *
@@ -52,7 +54,7 @@ internal class EulerCheck(private val mesh: TriMesh, private val found: Violatio
     }
 
     private fun rimCount(): Int {
-        val seen = java.util.BitSet(elements.size)
+        val seen = BitSet(elements.size)
         var rims = 0
         for (start in neighbours.indices) {
             if (neighbours[start] >= 0 || seen.get(start)) continue

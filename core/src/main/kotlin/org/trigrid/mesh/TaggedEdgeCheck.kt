@@ -1,5 +1,7 @@
 package org.trigrid.mesh
 
+import java.util.BitSet
+
 /** Checks that the tagged edges of a mesh are its boundary edges and inner edges, each once and with a tag. */
 internal class TaggedEdgeCheck(private val mesh: TriMesh, private val found: ViolationList) {
     private val boundary = MeshTopology.boundaryEdges(mesh.elements, mesh.neighbours)
@@ -31,7 +33,7 @@ internal class TaggedEdgeCheck(private val mesh: TriMesh, private val found: Vio
 
     private fun checkEmbedded() {
         if (mesh.taggedEdgeCount == mesh.boundaryEdgeCount) return
-        val onLine = java.util.BitSet()
+        val onLine = BitSet()
         for (i in 2 * mesh.boundaryEdgeCount until mesh.edges.size) onLine.set(mesh.edges[i])
         val inner = ArrayList<Long>()
         for (half in mesh.elements.indices) {

@@ -1,5 +1,7 @@
 package org.trigrid.mesh
 
+import java.util.BitSet
+
 /**
  * A triangular mesh, immutable.
  *
@@ -52,10 +54,13 @@ public class TriMesh internal constructor(
     /** Element across [edge] 0..2 of [element], or [NONE] on the boundary. */
     public fun neighbourOf(element: Int, edge: Int): Int = neighbours[3 * element + edge]
 
+    /** Where [node] came from. */
     public fun kindOf(node: Int): NodeKind = NodeKind.of(kinds[node])
 
+    /** First node of a tagged edge. */
     public fun edgeStart(edge: Int): Int = edges[2 * edge]
 
+    /** Second node of a tagged edge. */
     public fun edgeEnd(edge: Int): Int = edges[2 * edge + 1]
 
     /** Index into [tags] of a tagged edge. */
@@ -118,7 +123,7 @@ public class TriMesh internal constructor(
     /** Nodes on the edges of group [tag], ascending; for boundary conditions. Empty for an unknown name. */
     public fun nodesOn(tag: String): IntArray {
         val index = tags.indexOf(tag)
-        val on = java.util.BitSet(nodeCount)
+        val on = BitSet(nodeCount)
         for (e in edgeTags.indices) {
             if (edgeTags[e] == index) {
                 on.set(edges[2 * e])

@@ -1,5 +1,7 @@
 package org.trigrid.mesh
 
+import java.util.BitSet
+
 /** Makes a [TriMesh] of coordinates, elements and named lines, as a file or a user's arrays give them. */
 internal object TriMeshFactory {
     /** Group of boundary edges that no line of the input names. */
@@ -61,7 +63,7 @@ internal object TriMeshFactory {
 
     private fun requireEdges(elements: IntArray, lines: IntArray, chosen: IntArray) {
         if (chosen.isEmpty()) return
-        val onLine = java.util.BitSet()
+        val onLine = BitSet()
         for (line in chosen) {
             onLine.set(lines[2 * line])
             onLine.set(lines[2 * line + 1])

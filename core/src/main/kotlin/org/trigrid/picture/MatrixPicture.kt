@@ -3,6 +3,7 @@ package org.trigrid.picture
 import org.trigrid.mesh.MeshTopology
 import org.trigrid.mesh.TriMesh
 import org.trigrid.numbering.NumberingMetrics
+import java.util.BitSet
 
 /** Draws where the coefficient matrix has entries, with the band shaded and its figures below, as Figs. 7(c, d), 9(f). */
 internal object MatrixPicture {
@@ -62,7 +63,7 @@ internal object MatrixPicture {
     private fun entries(mesh: TriMesh, left: Double, top: Double): DoubleArray {
         val nodes = mesh.nodeCount
         val cells = minOf(nodes, MOST_CELLS)
-        val full = java.util.BitSet(cells * cells)
+        val full = BitSet(cells * cells)
         for (n in 0 until nodes) full.set(cell(n, nodes, cells) * (cells + 1))
         val edges = MeshTopology.edges(mesh.elements, mesh.neighbours)
         for (i in edges.indices step 2) {

@@ -35,14 +35,19 @@ public class PictureOptions private constructor(builder: Builder) {
         internal var firstNumber = 1
         internal var size = 1000
 
+        /** Sets [PictureOptions.quality]. */
         public fun quality(value: Boolean): Builder = apply { quality = value }
 
+        /** Sets [PictureOptions.nodes]. */
         public fun nodes(value: Boolean): Builder = apply { nodes = value }
 
+        /** Sets [PictureOptions.nodeNumbers]. */
         public fun nodeNumbers(value: Boolean): Builder = apply { nodeNumbers = value }
 
+        /** Sets [PictureOptions.elementNumbers]. */
         public fun elementNumbers(value: Boolean): Builder = apply { elementNumbers = value }
 
+        /** Sets [PictureOptions.firstNumber]. */
         public fun firstNumber(value: Int): Builder = apply { firstNumber = value }
 
         /** @throws IllegalArgumentException unless from 100 to 20000. */
@@ -51,6 +56,7 @@ public class PictureOptions private constructor(builder: Builder) {
             size = value
         }
 
+        /** The options as they are now. */
         public fun build(): PictureOptions = PictureOptions(this)
     }
 
@@ -59,6 +65,7 @@ public class PictureOptions private constructor(builder: Builder) {
         @JvmField
         public val DEFAULT: PictureOptions = Builder().build()
 
+        /** Starts from the default options. */
         @JvmStatic
         public fun builder(): Builder = Builder()
     }

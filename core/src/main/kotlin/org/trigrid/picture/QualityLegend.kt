@@ -3,6 +3,7 @@ package org.trigrid.picture
 import org.trigrid.mesh.TriMesh
 import org.trigrid.quality.QualityReport
 import org.trigrid.quality.TriangleQuality
+import java.util.Locale
 
 /** The colours of the quality classes, with the share of elements in each. */
 internal class QualityLegend(private val mesh: TriMesh) {
@@ -58,7 +59,7 @@ internal class QualityLegend(private val mesh: TriMesh) {
         private const val SWATCH = 34.0
 
         /** With [places] decimals and a decimal point, whatever the platform's language. */
-        fun number(value: Double, places: Int): String = String.format(java.util.Locale.ROOT, "%.${places}f", value)
+        fun number(value: Double, places: Int): String = String.format(Locale.ROOT, "%.${places}f", value)
 
         /** With blanks between groups of three digits. */
         fun grouped(value: Long): String =

@@ -2,6 +2,7 @@ package org.trigrid.picture
 
 import org.trigrid.io.TextBuffer
 import java.io.OutputStream
+import java.util.Locale
 
 /** Writes a scene as SVG 1.1: one path for all things that look alike, places to 1/100 of a unit. */
 internal class SvgBackend private constructor(private val text: TextBuffer) {
@@ -134,7 +135,7 @@ internal class SvgBackend private constructor(private val text: TextBuffer) {
 
     private fun TextBuffer.place(value: Double): TextBuffer = number(Math.rint(value * 100) / 100)
 
-    private fun TextBuffer.colour(rgb: Int): TextBuffer = text("#" + "%06x".format(java.util.Locale.ROOT, rgb))
+    private fun TextBuffer.colour(rgb: Int): TextBuffer = text("#" + "%06x".format(Locale.ROOT, rgb))
 
     /** Markup characters and everything outside ASCII by their codes; control characters are dropped. */
     private fun TextBuffer.escaped(line: String): TextBuffer {

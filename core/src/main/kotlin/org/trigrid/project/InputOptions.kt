@@ -23,6 +23,7 @@ public class InputOptions private constructor(
         return InputOptions(spacing, ratio, keepConnectors)
     }
 
+    /** With [keepConnectors] set to [value]. */
     public fun withKeepConnectors(value: Boolean): InputOptions = InputOptions(spacing, ratio, value)
 
     public companion object {

@@ -1,5 +1,7 @@
 package org.trigrid.project
 
+import java.util.Collections
+
 /**
  * A closed loop of given nodes, without shapes. Immutable.
  *
@@ -21,7 +23,7 @@ public class NodeLoop public constructor(coordinates: DoubleArray, segmentTags: 
 
     /** All segments with one tag. @param coordinates x0, y0, x1, y1, …; the first node is not repeated at the end. */
     public constructor(coordinates: DoubleArray, tag: String) :
-        this(coordinates, java.util.Collections.nCopies(coordinates.size / 2, tag))
+        this(coordinates, Collections.nCopies(coordinates.size / 2, tag))
 
     @get:JvmName("nodeCount")
     public val nodeCount: Int get() = xy.size / 2

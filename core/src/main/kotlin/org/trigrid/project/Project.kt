@@ -21,9 +21,11 @@ public class Project private constructor(builder: Builder) {
     @get:JvmName("options")
     public val options: MeshOptions = builder.options
 
+    /** Settings that shapes have unless they say otherwise. */
     @get:JvmName("defaults")
     public val defaults: ShapeDefaults = builder.defaults
 
+    /** Name of the region (tag) that the elements belong to. Default "domain". */
     @get:JvmName("regionName")
     public val regionName: String = builder.regionName
 
@@ -60,22 +62,30 @@ public class Project private constructor(builder: Builder) {
         internal var regionName = "domain"
         internal var keepsConnectors = false
 
+        /** Sets [Project.path]. */
         public fun path(value: Path): Builder = apply { path = value }
 
+        /** Sets [Project.loops]. */
         public fun loops(value: List<NodeLoop>): Builder = apply { loops = value }
 
+        /** Sets [Project.options]. */
         public fun options(value: MeshOptions): Builder = apply { options = value }
 
+        /** Sets [Project.defaults]. */
         public fun defaults(value: ShapeDefaults): Builder = apply { defaults = value }
 
+        /** Sets [Project.regionName]. */
         public fun regionName(value: String): Builder = apply { regionName = value }
 
+        /** Sets [Project.keepsConnectors]. */
         public fun keepConnectors(value: Boolean): Builder = apply { keepsConnectors = value }
 
+        /** The project as it is now. */
         public fun build(): Project = Project(this)
     }
 
     public companion object {
+        /** Starts from an empty project. */
         @JvmStatic
         public fun builder(): Builder = Builder()
 

@@ -1,8 +1,6 @@
 package org.trigrid.project
 
 import org.trigrid.MeshOptions
-import org.trigrid.Sizes
-import org.trigrid.Strategy
 import org.trigrid.diagnostics.InvalidShapeException
 import org.trigrid.domain.AppendStep
 import org.trigrid.domain.BackStep
@@ -14,10 +12,12 @@ import org.trigrid.domain.NewLoopStep
 import org.trigrid.domain.NodeKey
 import org.trigrid.domain.Path
 import org.trigrid.domain.PathStep
+import org.trigrid.front.Strategy
 import org.trigrid.io.JsonDocument
 import org.trigrid.numbering.NumberingMethod
 import org.trigrid.shape.Distribution
 import org.trigrid.shape.Rounding
+import org.trigrid.spacing.Sizes
 
 /** Makes a [Project] of the text of a project file. */
 internal object ProjectReader {

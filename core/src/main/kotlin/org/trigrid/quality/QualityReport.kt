@@ -13,6 +13,7 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
     @get:JvmName("elementCount")
     public val elementCount: Int = measures.elementCount
 
+    /** Quality of the worst element, 0..1. */
     @get:JvmName("minQuality")
     public val minQuality: Double = measures.qualities.minOrNaN()
 
@@ -20,6 +21,7 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
     @get:JvmName("quality05")
     public val quality05: Double
 
+    /** Mean quality of the elements, 0..1. */
     @get:JvmName("meanQuality")
     public val meanQuality: Double = measures.qualities.compensatedMean()
 
@@ -27,6 +29,7 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
     @get:JvmName("shareBelowHalf")
     public val shareBelowHalf: Double = measures.qualities.count { it < 0.5 } / elementCount.toDouble()
 
+    /** Smallest angle of all elements, in degrees. */
     @get:JvmName("minAngle")
     public val minAngle: Double = measures.minAngles.minOrNaN()
 
@@ -42,6 +45,7 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
     @get:JvmName("meanMinAngle")
     public val meanMinAngle: Double = measures.minAngles.compensatedMean()
 
+    /** Largest angle of all elements, in degrees. */
     @get:JvmName("maxAngle")
     public val maxAngle: Double = measures.maxAngles.fold(Double.NaN) { m, v -> if (v <= m) m else v }
 
@@ -57,6 +61,7 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
     @get:JvmName("degree567")
     public val degree567: Double
 
+    /** Number of nodes with elements all round. */
     @get:JvmName("interiorNodeCount")
     public val interiorNodeCount: Int
 

@@ -33,8 +33,10 @@ public class Arc internal constructor(
     public val radius: Double
         get() = firstPoint.distanceTo(lastPoint) / (2 * Turn.sin(Math.abs(angleDegrees) / FULL_TURN / 2))
 
+    /** The same bend between other ends. */
     public fun withEnds(begin: Point2, end: Point2): Arc = Arc(begin, end, angleDegrees, traits)
 
+    /** With the angle [value] that the arc turns through, in degrees. */
     public fun withAngleDegrees(value: Double): Arc = Arc(firstPoint, lastPoint, value, traits)
 
     override fun withSpacing(value: Double): Arc = with(traits.spacing(value))

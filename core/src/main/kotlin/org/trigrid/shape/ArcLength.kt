@@ -1,5 +1,7 @@
 package org.trigrid.shape
 
+import java.util.Arrays
+
 /** A curve by the rate at which its length grows with its parameter. */
 internal fun interface Speed {
     /** Length per unit of the parameter at [u], >= 0. */
@@ -37,7 +39,7 @@ internal class ArcLength(private val speed: Speed, knots: DoubleArray) {
 
     /** The parameter at which the length from the first knot is [s], 0..[length]. */
     fun parameterAt(s: Double): Double {
-        val found = java.util.Arrays.binarySearch(sums, 0, cells + 1, s)
+        val found = Arrays.binarySearch(sums, 0, cells + 1, s)
         if (found >= 0) return ends[found]
         val cell = Math.min(Math.max(-found - 2, 0), cells - 1)
         var low = ends[cell]

@@ -53,6 +53,7 @@ public class Circle internal constructor(
     /** Another first point; the radius becomes its distance from the centre. */
     public fun withFirstPoint(value: Point2): Circle = Circle(value, centre, direction, traits)
 
+    /** The same place travelled in the direction [value]. */
     public fun withDirection(value: Direction): Circle = Circle(firstPoint, centre, value, traits)
 
     override fun withSpacing(value: Double): Circle = with(traits.spacing(value))

@@ -49,6 +49,7 @@ public class Curve internal constructor(
         return Curve(if (repeated) vertices.dropLast(1) else vertices, CurveEnds.CLOSED, null, null, traits)
     }
 
+    /** Through other points. */
     public fun withVertices(value: List<Point2>): Curve = Curve(value, ends, beginTangent, endTangent, traits)
 
     override fun withSpacing(value: Double): Curve = with(traits.spacing(value))

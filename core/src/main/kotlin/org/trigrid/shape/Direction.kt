@@ -6,10 +6,13 @@ package org.trigrid.shape
  * Travelled as the outer boundary is, a shape is included in the domain; travelled against it, it is left out.
  */
 public enum class Direction {
+    /** As the hands of a clock turn. */
     CLOCKWISE,
+    /** Against the hands of a clock. */
     ANTICLOCKWISE,
     ;
 
+    /** The other way round. */
     public fun opposite(): Direction = if (this == CLOCKWISE) ANTICLOCKWISE else CLOCKWISE
 
     /** +1 for anticlockwise, -1 for clockwise. */

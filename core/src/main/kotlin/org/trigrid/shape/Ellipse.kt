@@ -69,6 +69,7 @@ public class Ellipse internal constructor(
         return withFirstPoint(frame.pointAt(turns))
     }
 
+    /** The same place travelled in the direction [value]. */
     public fun withDirection(value: Direction): Ellipse =
         Ellipse(firstPoint, centre, radiusX, radiusY, rotationDegrees, value, traits)
 

@@ -11,9 +11,11 @@ public class Line internal constructor(begin: Point2, end: Point2, traits: Trait
     /** @throws org.trigrid.diagnostics.InvalidShapeException if a field is not what it must be, or the ends coincide. */
     public constructor(begin: Point2, end: Point2, spacing: Double) : this(begin, end, Traits(KIND, spacing))
 
+    /** From the coordinates of the ends. */
     public constructor(beginX: Double, beginY: Double, endX: Double, endY: Double, spacing: Double) :
         this(Point2(beginX, beginY), Point2(endX, endY), spacing)
 
+    /** Between other ends. */
     public fun withEnds(begin: Point2, end: Point2): Line = Line(begin, end, traits)
 
     override fun withSpacing(value: Double): Line = with(traits.spacing(value))

@@ -16,6 +16,7 @@ public class Lines internal constructor(vertices: List<Point2>, traits: Traits) 
     /** @throws org.trigrid.diagnostics.InvalidShapeException if a field is not what it must be. */
     public constructor(vertices: List<Point2>, spacing: Double) : this(vertices, Traits(KIND, spacing))
 
+    /** Through other points. */
     public fun withVertices(value: List<Point2>): Lines = Lines(value, traits)
 
     override fun withSpacing(value: Double): Lines = with(traits.spacing(value))

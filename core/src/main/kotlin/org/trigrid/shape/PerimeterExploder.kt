@@ -1,6 +1,7 @@
 package org.trigrid.shape
 
 import org.trigrid.geometry.Point2
+import java.util.Arrays
 
 /** Explodes a closed polygon whose ratio runs once round the perimeter, with a node at every vertex. */
 internal object PerimeterExploder {
@@ -65,7 +66,7 @@ private class Perimeter(private val corners: List<Point2>, private val traits: T
 
     /** How many intervals, a part of one included, lie before the part [fraction] of the perimeter. */
     private fun intervalsBefore(fraction: Double): Double {
-        val found = java.util.Arrays.binarySearch(cuts, fraction)
+        val found = Arrays.binarySearch(cuts, fraction)
         if (found >= 0) return found.toDouble()
         val k = Math.min(Math.max(-found - 2, 0), cuts.size - 2)
         return k + (fraction - cuts[k]) / (cuts[k + 1] - cuts[k])

@@ -29,11 +29,14 @@ public class Rectangle internal constructor(
     public constructor(begin: Point2, end: Point2, spacing: Double) :
         this(begin, end, Direction.ANTICLOCKWISE, Traits(KIND, spacing))
 
+    /** From the coordinates of two opposite corners. */
     public constructor(beginX: Double, beginY: Double, endX: Double, endY: Double, spacing: Double) :
         this(Point2(beginX, beginY), Point2(endX, endY), spacing)
 
+    /** Between other opposite corners. */
     public fun withCorners(begin: Point2, end: Point2): Rectangle = Rectangle(begin, end, direction, traits)
 
+    /** The same place travelled in the direction [value]. */
     public fun withDirection(value: Direction): Rectangle = Rectangle(firstPoint, endCorner, value, traits)
 
     override fun withSpacing(value: Double): Rectangle = with(traits.spacing(value))

@@ -22,9 +22,11 @@ public sealed class Shape(
     @get:JvmName("ratio")
     public val ratio: Double get() = traits.ratio
 
+    /** How interval lengths run from the first to the last. */
     @get:JvmName("distribution")
     public val distribution: Distribution get() = traits.distribution
 
+    /** How the number of intervals is made whole. */
     @get:JvmName("rounding")
     public val rounding: Rounding get() = traits.rounding
 
@@ -57,8 +59,10 @@ public sealed class Shape(
     /** @throws org.trigrid.diagnostics.InvalidShapeException unless a number above 0. */
     public abstract fun withRatio(value: Double): Shape
 
+    /** With [distribution] set to [value]. */
     public abstract fun withDistribution(value: Distribution): Shape
 
+    /** With [rounding] set to [value]. */
     public abstract fun withRounding(value: Rounding): Shape
 
     /** @throws org.trigrid.diagnostics.InvalidShapeException if longer than 127 characters, with quotes or controls. */

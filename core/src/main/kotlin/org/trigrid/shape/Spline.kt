@@ -7,6 +7,7 @@ import org.ejml.ops.DConvertMatrixStruct
 import org.ejml.sparse.FillReducing
 import org.ejml.sparse.csc.factory.LinearSolverFactory_DSCC
 import org.trigrid.geometry.Point2
+import java.util.Arrays
 
 /**
  * A plane cubic spline in the form of its second derivatives at the knots.
@@ -49,7 +50,7 @@ internal class Spline private constructor(
     }
 
     private fun pieceAt(u: Double): Int {
-        val found = java.util.Arrays.binarySearch(knots, u)
+        val found = Arrays.binarySearch(knots, u)
         val piece = if (found >= 0) found else -found - 2
         return Math.min(Math.max(piece, 0), knots.size - 2)
     }

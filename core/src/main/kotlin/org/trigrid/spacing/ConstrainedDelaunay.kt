@@ -7,6 +7,7 @@ import org.trigrid.domain.Domain
 import org.trigrid.geometry.IntList
 import org.trigrid.spacing.DelaunayBuilder.Companion.GHOST
 import org.trigrid.spacing.DelaunayBuilder.Companion.NONE
+import java.util.BitSet
 
 /**
  * Constrained Delaunay triangulation of a domain: its nodes and no others, all its segments, the triangles inside it.
@@ -23,7 +24,7 @@ internal class ConstrainedDelaunay private constructor(
     val twins: IntArray,
     /** Per node one half-edge that leaves it, or -1 for a node outside of the domain. Not modified. */
     val edgeOfNode: IntArray,
-    private val embedded: java.util.BitSet,
+    private val embedded: BitSet,
 ) {
     val triangleCount: Int get() = nodes.size / 3
 
@@ -94,7 +95,7 @@ internal class ConstrainedDelaunay private constructor(
             val nodes = IntArray(3 * count)
             val twins = IntArray(3 * count)
             val edgeOfNode = IntArray(builder.nodeCount).apply { fill(NONE) }
-            val embedded = java.util.BitSet()
+            val embedded = BitSet()
             for (old in 0 until 3 * inside.size) {
                 if (!inside[old / 3]) continue
                 val e = 3 * newNumber[old / 3] + old % 3

@@ -1,30 +1,24 @@
 package org.trigrid.spacing
 
-import org.trigrid.MeshOptions
-import org.trigrid.Sizes
 import org.trigrid.domain.Domain
 import org.trigrid.geometry.IntList
 
-/** Makes the size field that the options ask for. */
+/** Makes the size field that the rules ask for. */
 internal object SizeFields {
-    /** The field of a valid domain, made on a triangulation of its own where one is needed. */
+    /** The field of a valid domain, whose triangulation is [mesh]. */
     @JvmStatic
-    fun create(domain: Domain, options: MeshOptions): SizeField = create(domain, options, ConstrainedDelaunay.of(domain))
-
-    /** The field of a valid domain whose triangulation is at hand. */
-    @JvmStatic
-    fun create(domain: Domain, options: MeshOptions, mesh: ConstrainedDelaunay): SizeField {
-        val gradation = options.gradation
+    fun create(domain: Domain, rules: SizeRules, mesh: ConstrainedDelaunay): SizeField {
+        val gradation = rules.gradation
         val sizes = nodeSizes(domain)
         val cones = ConeTree(domain.xy, sizes, gradation)
         val limited = DoubleArray(domain.nodeCount) {
             cones.min(domain.x(it), domain.y(it), it, Double.POSITIVE_INFINITY)
         }
-        val ofBoundary = when (options.sizes) {
+        val ofBoundary = when (rules.sizes) {
             Sizes.SMOOTH -> LinearField(mesh, limited, typicalSizes(domain, limited), cones, gradation)
             Sizes.GRADE -> GradedField(cones)
         }
-        return bounded(ofBoundary, domain, limited, options)
+        return bounded(ofBoundary, domain, limited, rules)
     }
 
     /**
@@ -34,18 +28,18 @@ internal object SizeFields {
     @JvmStatic
     fun estimateElements(mesh: ConstrainedDelaunay, field: SizeField): Double = ElementEstimate(mesh, field).total()
 
-    private fun bounded(ofBoundary: SizeField, domain: Domain, sizes: DoubleArray, options: MeshOptions): SizeField {
-        val function = options.sizeFunction
-        if (function == null && options.minSize == 0.0 && options.maxSize == Double.POSITIVE_INFINITY) return ofBoundary
-        val user = function?.let { sample(it, domain, options.gradation) }
+    private fun bounded(ofBoundary: SizeField, domain: Domain, sizes: DoubleArray, rules: SizeRules): SizeField {
+        val function = rules.function
+        if (function == null && rules.minSize == 0.0 && rules.maxSize == Double.POSITIVE_INFINITY) return ofBoundary
+        val user = function?.let { sample(it, domain, rules.gradation) }
         val coarse = IntList()
         for (node in sizes.indices) {
             val ofUser = user?.sizeAt(domain.x(node), domain.y(node)) ?: Double.POSITIVE_INFINITY
-            if (sizes[node] > Math.min(options.maxSize, ofUser)) coarse.add(node)
+            if (sizes[node] > Math.min(rules.maxSize, ofUser)) coarse.add(node)
         }
         val coarseXy = DoubleArray(2 * coarse.size) { domain.xy[2 * coarse[it / 2] + it % 2] }
-        val coarseNodes = ConeTree(coarseXy, DoubleArray(coarse.size) { -sizes[coarse[it]] }, options.gradation)
-        return BoundedField(ofBoundary, user, options.minSize, options.maxSize, if (coarse.size > 0) coarseNodes else null)
+        val coarseNodes = ConeTree(coarseXy, DoubleArray(coarse.size) { -sizes[coarse[it]] }, rules.gradation)
+        return BoundedField(ofBoundary, user, rules.minSize, rules.maxSize, if (coarse.size > 0) coarseNodes else null)
     }
 
     /**

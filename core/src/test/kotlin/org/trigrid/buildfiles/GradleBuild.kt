@@ -87,6 +87,7 @@ internal class GradleBuild(private val root: Path) {
             "api" to "compile",
             "implementation" to "compile",
             "compileOnly" to "provided",
+            "annotationProcessor" to "provided",
             "runtimeOnly" to "runtime",
             "testImplementation" to "test",
             "testRuntimeOnly" to "test",

@@ -1,8 +1,8 @@
 package org.trigrid.project
 
 import org.trigrid.MeshReport
-import org.trigrid.Sizes
-import org.trigrid.Strategy
+import org.trigrid.front.Strategy
+import org.trigrid.spacing.Sizes
 
 /** The figures of one mesh of a paper case; a line of `src-test-data/expected/paper.csv`. */
 internal class PaperFigures(

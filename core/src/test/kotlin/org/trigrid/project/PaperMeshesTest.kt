@@ -7,10 +7,10 @@ import org.junit.jupiter.api.Test
 import org.trigrid.MeshGenerator
 import org.trigrid.MeshOptions
 import org.trigrid.MeshReport
-import org.trigrid.Sizes
-import org.trigrid.Strategy
+import org.trigrid.front.Strategy
 import org.trigrid.mesh.MeshCheck
 import org.trigrid.numbering.NumberingMethod
+import org.trigrid.spacing.Sizes
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -32,10 +32,8 @@ class PaperMeshesTest {
         for ((case, paper) in PAPER_COUNTS) {
             val own = projects.getValue(case).options
             for (made in figures.filter { it.case == case && it.sizes == own.sizes }) {
-                // The other strategy need not meet as closely what the look-alikes were made to give.
-                val share = if (made.strategy == own.strategy) 0.1 else 0.25
-                val fits = Math.abs(made.nodes - paper.first) <= share * paper.first &&
-                    Math.abs(made.elements - paper.second) <= share * paper.second
+                val fits = Math.abs(made.nodes - paper.first) <= 0.1 * paper.first &&
+                    Math.abs(made.elements - paper.second) <= 0.1 * paper.second
                 if (!fits) wrong.add("${made.key}: ${made.nodes} nodes, ${made.elements} elements, the paper has $paper")
             }
         }
@@ -56,11 +54,12 @@ class PaperMeshesTest {
 
     @Test
     fun `the thinner machine part is numbered as well as in the paper`() {
-        // The paper's mesh has 87; Cuthill-McKee alone does not reach that on every mesh of this size.
-        for ((numbering, limit) in listOf(NumberingMethod.CUTHILL_MCKEE to 100, NumberingMethod.BEST to 87)) {
-            val report = mesh("machine-part-thinner") { it.numbering(numbering) }
-            assertTrue(report.numberingAfter.bandwidth <= limit, "$numbering: ${report.numberingAfter}")
-            assertTrue(report.numberingBefore.bandwidth > 1000)
+        // The paper's mesh has 87. Its rule starts at the few corners of lowest degree; how well these lie is luck.
+        for (strategy in Strategy.entries) {
+            val best = mesh("machine-part-thinner") { it.numbering(NumberingMethod.BEST).strategy(strategy) }
+            assertTrue(best.numberingAfter.bandwidth <= 89, "$strategy: ${best.numberingAfter}")
+            val rule = mesh("machine-part-thinner") { it.numbering(NumberingMethod.CUTHILL_MCKEE).strategy(strategy) }
+            assertTrue(10 * rule.numberingAfter.bandwidth < rule.numberingBefore.bandwidth, "$strategy: ${rule.numberingAfter}")
         }
     }
 

@@ -105,7 +105,7 @@ internal object PaperProjects {
     /** The paper's numbers of elements need limits of the sizes in the two cases whose inside would be coarser. */
     private fun machinePart(sizes: MachineSizes): Project {
         val options = when (sizes) {
-            MachineSizes.UNIFORM -> MeshOptions.builder().maxSize(0.25)
+            MachineSizes.UNIFORM -> MeshOptions.builder().maxSize(0.255)
             MachineSizes.DENSE -> MeshOptions.builder().maxSize(0.185)
             MachineSizes.THINNER -> MeshOptions.builder().gradation(0.4)
         }

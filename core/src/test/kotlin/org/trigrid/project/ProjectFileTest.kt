@@ -8,11 +8,10 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.trigrid.MeshOptions
-import org.trigrid.Sizes
-import org.trigrid.Strategy
 import org.trigrid.diagnostics.FileFormatException
 import org.trigrid.domain.DomainCheck
 import org.trigrid.domain.Path
+import org.trigrid.front.Strategy
 import org.trigrid.numbering.NumberingMethod
 import org.trigrid.shape.Circle
 import org.trigrid.shape.Direction
@@ -21,6 +20,7 @@ import org.trigrid.shape.Line
 import org.trigrid.shape.Rectangle
 import org.trigrid.shape.Rounding
 import org.trigrid.shape.randomShapes
+import org.trigrid.spacing.Sizes
 import java.nio.file.Files
 import java.util.Random
 

@@ -3,12 +3,12 @@ package org.trigrid.reliability
 import org.trigrid.MeshGenerator
 import org.trigrid.MeshOptions
 import org.trigrid.RandomDomains
-import org.trigrid.Sizes
-import org.trigrid.Strategy
 import org.trigrid.diagnostics.InvalidDomainException
 import org.trigrid.diagnostics.TooManyElementsException
 import org.trigrid.domain.Domain
+import org.trigrid.front.Strategy
 import org.trigrid.mesh.MeshCheck
+import org.trigrid.spacing.Sizes
 import java.util.Random
 
 /** How a run over many random domains went; a domain counts once, whatever is wrong with its mesh. */

@@ -5,7 +5,6 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.trigrid.MeshOptions
-import org.trigrid.Sizes
 import org.trigrid.diagnostics.InvalidSizeException
 import org.trigrid.domain.Domain
 import kotlin.math.hypot
@@ -218,5 +217,5 @@ class SizeFieldsTest {
     }
 
     private fun field(domain: Domain, configure: MeshOptions.Builder.() -> Unit): SizeField =
-        SizeFields.create(domain, MeshOptions.builder().gradation(gradation).apply(configure).build())
+        SizeFields.create(domain, MeshOptions.builder().gradation(gradation).apply(configure).build().sizeRules(), ConstrainedDelaunay.of(domain))
 }

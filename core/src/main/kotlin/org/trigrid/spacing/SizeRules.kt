@@ -1,0 +1,14 @@
+package org.trigrid.spacing
+
+/** What is asked of the sizes inside a domain. */
+internal class SizeRules(
+    val sizes: Sizes,
+    /** Largest slope of the size, size per length, > 0. */
+    val gradation: Double,
+    /** Smallest size asked of an inner edge, in the domain's unit; 0 for none. */
+    val minSize: Double,
+    /** Largest size asked of an inner edge, in the domain's unit; infinity for none. */
+    val maxSize: Double,
+    /** The user's sizes, or null. */
+    val function: SizeFunction?,
+)
