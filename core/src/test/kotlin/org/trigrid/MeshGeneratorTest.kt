@@ -26,14 +26,18 @@ class MeshGeneratorTest {
     @TestFactory
     fun `every family of random domains is meshed validly in every mode`(): List<DynamicTest> =
         RandomDomains.small.map { family ->
-            DynamicTest.dynamicTest(family.name) { for (seed in 0L until 3L) meshInAllModes(family, seed) }
+            DynamicTest.dynamicTest(family.name) {
+                for (seed in 1L until 5L step 3) if (family.every == 1 || seed == 1L) meshInAllModes(family, seed)
+            }
         }
 
     @Tag("corpus")
     @TestFactory
     fun `many random domains are meshed validly in every mode`(): List<DynamicTest> =
-        RandomDomains.small.map { family ->
-            DynamicTest.dynamicTest(family.name) { for (seed in 1000L until 1060L) meshInAllModes(family, seed) }
+        RandomDomains.families.map { family ->
+            DynamicTest.dynamicTest(family.name) {
+                for (seed in 1000L until 1030L) if (seed % family.every == 0L) meshInAllModes(family, seed)
+            }
         }
 
     private fun meshInAllModes(family: RandomDomains.Family, seed: Long) {
