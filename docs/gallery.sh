@@ -7,6 +7,9 @@ pictures=docs/pictures
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
+# Built before anything is taken away.
+./trigrid --version >/dev/null
+
 # What the paper says of a case: figure, nodes, elements, bandwidth before and after; - where it says nothing.
 paper() {
     case $1 in

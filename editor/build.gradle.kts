@@ -21,8 +21,12 @@ dependencies {
     implementation("${libs.javafx.base.get().module}:$javafxVersion:$javafxPlatform")
     implementation("${libs.javafx.graphics.get().module}:$javafxVersion:$javafxPlatform")
     implementation("${libs.javafx.controls.get().module}:$javafxVersion:$javafxPlatform")
+    implementation(libs.atlantafx.base)
 
     testImplementation(libs.junit.jupiter)
+    testImplementation(libs.archunit)
+    testImplementation(libs.testfx.core)
+    testImplementation(libs.testfx.junit)
     testRuntimeOnly(libs.junit.platform.launcher)
 }
 
@@ -41,4 +45,18 @@ tasks.named<JavaExec>("run") {
             listOf("--module-path", javafx.asPath, "--add-modules", "javafx.controls")
         },
     )
+}
+
+// The paper's cases are the gallery of the welcome.
+tasks.named<ProcessResources>("processResources") {
+    from("../src-test-data/paper") {
+        include("*.trigrid.json")
+        into("org/trigrid/editor/gallery")
+    }
+}
+
+tasks.named<Test>("test") {
+    // Window tests press keys through JavaFX's own robot and draw without a graphics card.
+    systemProperty("testfx.robot", "glass")
+    systemProperty("prism.order", "sw")
 }

@@ -24,7 +24,7 @@ internal object RandomDomains {
     }
 
     /** Families of small domains, for the everyday tests. */
-    val small: List<Family> by lazy { families.filter { it.every == 1 } }
+    val small: List<Family> by lazy { families.filter { it.every < 10 } }
 
     val families: List<Family> = basic() + HostileDomains.families + LatticeDomains.families + PathDomains.families
 
@@ -33,7 +33,7 @@ internal object RandomDomains {
         Family("jagged star") { r -> built(star(r, 5 + r.nextInt(60), 0.9, 1), emptyList()) },
         Family("uneven spacing") { r -> built(uneven(r, star(r, 4 + r.nextInt(12), 0.6, 1), 4.0), emptyList()) },
         Family("star with holes") { r -> withHoles(r, star(r, 24 + r.nextInt(60), 0.1, 1), 1 + r.nextInt(6)) },
-        Family("uneven with holes") { r -> withHoles(r, uneven(r, star(r, 9 + r.nextInt(20), 0.1, 1), 2.5), 1 + r.nextInt(4)) },
+        Family("uneven with holes", every = 2) { r -> withHoles(r, uneven(r, star(r, 9 + r.nextInt(20), 0.1, 1), 2.5), 1 + r.nextInt(4)) },
         Family("needle") { r -> built(needle(r), emptyList()) },
         Family("thin gap") { r -> thinGap(r) },
         Family("comb") { r -> built(comb(r), emptyList()) },
@@ -42,8 +42,8 @@ internal object RandomDomains {
         Family("minimal") { r -> built(star(r, 3 + r.nextInt(2), 0.8, 1), emptyList()) },
         Family("touching holes") { r -> touchingHoles(r) },
         Family("island in hole") { r -> islandInHole(r) },
-        Family("plate of holes") { r -> plate(r) },
-        Family("collinear runs") { r -> built(uneven(r, polygonOnGrid(r), 6.0), emptyList()) },
+        Family("plate of holes", every = 8) { r -> plate(r) },
+        Family("collinear runs", every = 2) { r -> built(uneven(r, polygonOnGrid(r), 6.0), emptyList()) },
         Family("far and scaled") { r -> built(moved(r, uneven(r, star(r, 6 + r.nextInt(30), 0.5, 1), 2.0)), emptyList()) },
         Family("embedded line") { r -> embeddedLine(r) },
         Family("neighbouring places") { r -> built(neighbouringPlaces(r), emptyList()) },

@@ -6,8 +6,9 @@ import org.trigrid.mesh.MutableMesh
  * The way out for an edge that no candidate fits: the front node that it sees under the largest angle.
  *
  * Every edge of a valid region has at least one front node with which it makes an empty triangle; the one seen under
- * the largest angle makes the constrained Delaunay triangle. Taking it adds no node and leaves strictly less to mesh,
- * so the front always comes to its end.
+ * the largest angle makes the constrained Delaunay triangle. Taking any of them adds no node and leaves strictly less
+ * to mesh, so the front always comes to its end; the largest angle is looked for as far as [WIDEST] times the distance
+ * at which the first one was found.
  */
 internal class VisibleNode(
     private val mesh: MutableMesh,
@@ -41,8 +42,9 @@ internal class VisibleNode(
                 if (!acceptance.seesBase(corner) || !acceptance.isClear(q, xy[2 * q], xy[2 * q + 1])) continue
                 val wanted = circleReach(ax, ay, bx, by, xy[2 * q], xy[2 * q + 1])
                 if (whole || wanted <= reach) return corner
-                // Nodes seen under a larger angle may lie in the rest of the circle.
-                reach = Math.min(wanted, 4 * extent)
+                // Nodes seen under a larger angle may lie in the rest of the circle. The circle of a flat triangle may hold
+                // the whole front; any visible node will do then.
+                reach = Math.min(wanted, WIDEST * reach)
                 gather(edge, mx, my, reach, ax, ay, bx, by)
                 return firstClear() ?: corner
             }
@@ -93,5 +95,9 @@ internal class VisibleNode(
         val radius = Math.hypot(cx, cy)
         val reach = Math.hypot(cx - 0.5 * ux, cy - 0.5 * uy) + radius
         return if (reach.isNaN()) Double.POSITIVE_INFINITY else reach
+    }
+
+    private companion object {
+        const val WIDEST = 4.0
     }
 }

@@ -56,7 +56,7 @@ public class Rectangle internal constructor(
     override fun reversed(): Rectangle = Rectangle(firstPoint, endCorner, direction.opposite(), traits.reversed())
 
     /** The corners in the order of travel, the begin corner first and again last. */
-    private fun corners(): List<Point2> {
+    internal fun corners(): List<Point2> {
         val b = firstPoint
         val e = endCorner
         val alongX = Point2(e.x, b.y)

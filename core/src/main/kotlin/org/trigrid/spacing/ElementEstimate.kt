@@ -5,6 +5,8 @@ package org.trigrid.spacing
  * of side h having the area `sqrt(3) h^2 / 4`.
  *
  * Triangles of the domain's triangulation are halved across their longest side until the size changes little in each piece.
+ * Of many triangles, as a boundary of a million nodes has, only a sample is worked out: they are sorted into classes by what
+ * they could hold at most, and each class counts as much more than its sample as its bound is larger.
  */
 internal class ElementEstimate(private val mesh: ConstrainedDelaunay, private val field: SizeField) {
     private val longestAllowed = if (field is BoundedField) field.detail else Double.POSITIVE_INFINITY
@@ -12,7 +14,7 @@ internal class ElementEstimate(private val mesh: ConstrainedDelaunay, private va
     /** 9 per piece that waits: x, y, size of its three corners. */
     private var pieces = DoubleArray(9 * 64)
     private var pieceCount = 0
-    private var piecesLeft = MAX_PIECES
+    private var piecesLeft = 0L
     private var hint = -1
 
     /** The expected number of elements; never below the number that the boundary alone makes necessary. */
@@ -20,18 +22,35 @@ internal class ElementEstimate(private val mesh: ConstrainedDelaunay, private va
         val sizes = DoubleArray(mesh.xy.size / 2) { node ->
             if (mesh.edgeOfNode[node] < 0) 1.0 else field.sizeAt(mesh.xy[2 * node], mesh.xy[2 * node + 1], field.hintOf(node))
         }
-        var sum = 0.0
-        for (t in 0 until mesh.triangleCount) {
-            hint = field.hintOf(mesh.nodes[3 * t])
-            pieceCount = 0
-            for (k in 0..2) {
-                val node = mesh.nodes[3 * t + k]
-                putCorner(k, mesh.xy[2 * node], mesh.xy[2 * node + 1], sizes[node])
-            }
-            pieceCount = 1
-            while (pieceCount > 0) sum += elementsOrDivide()
+        val classes = TriangleClasses(DoubleArray(mesh.triangleCount) { mostElements(it, sizes) })
+        piecesLeft = MAX_PIECES + PIECES_PER_TRIANGLE * classes.sampleSize
+        for (t in 0 until mesh.triangleCount) if (classes.isSampled(t)) classes.add(t, elementsOf(t, sizes))
+        return Math.max(classes.total(), mesh.triangleCount.toDouble())
+    }
+
+    /** If the smallest size of its corners ruled everywhere in it. */
+    private fun mostElements(t: Int, sizes: DoubleArray): Double {
+        val a = mesh.nodes[3 * t]
+        val b = mesh.nodes[3 * t + 1]
+        val c = mesh.nodes[3 * t + 2]
+        val abx = mesh.xy[2 * b] - mesh.xy[2 * a]
+        val aby = mesh.xy[2 * b + 1] - mesh.xy[2 * a + 1]
+        val acx = mesh.xy[2 * c] - mesh.xy[2 * a]
+        val acy = mesh.xy[2 * c + 1] - mesh.xy[2 * a + 1]
+        return PER_AREA * 0.5 * Math.abs(abx * acy - aby * acx) * density(Math.min(sizes[a], Math.min(sizes[b], sizes[c])))
+    }
+
+    private fun elementsOf(t: Int, sizes: DoubleArray): Double {
+        hint = field.hintOf(mesh.nodes[3 * t])
+        pieceCount = 0
+        for (k in 0..2) {
+            val node = mesh.nodes[3 * t + k]
+            putCorner(k, mesh.xy[2 * node], mesh.xy[2 * node + 1], sizes[node])
         }
-        return Math.max(sum, mesh.triangleCount.toDouble())
+        pieceCount = 1
+        var sum = 0.0
+        while (pieceCount > 0) sum += elementsOrDivide()
+        return sum
     }
 
     private fun putCorner(corner: Int, x: Double, y: Double, size: Double) {
@@ -121,6 +140,57 @@ internal class ElementEstimate(private val mesh: ConstrainedDelaunay, private va
         /** In squared sizes: a piece of about one element is not worth dividing. */
         const val SMALL = 0.5
         const val EVEN = 1.4
-        const val MAX_PIECES = 1_000_000
+
+        /** Pieces that may be divided: many in few triangles, or some in each of many. */
+        const val MAX_PIECES = 1_000_000L
+        const val PIECES_PER_TRIANGLE = 50L
+    }
+}
+
+/** Triangles by the power of two of the most elements that they could hold, and what was found for a sample of each class. */
+private class TriangleClasses(private val most: DoubleArray) {
+    private val counts = IntArray(CLASSES)
+    private val passed = IntArray(CLASSES)
+    private val sumOfMost = DoubleArray(CLASSES)
+    private val sampledMost = DoubleArray(CLASSES)
+    private val sampledElements = DoubleArray(CLASSES)
+
+    init {
+        for (t in most.indices) {
+            counts[classOf(t)]++
+            sumOfMost[classOf(t)] += most[t]
+        }
+    }
+
+    val sampleSize: Int get() = counts.sumOf { Math.min(it, 2 * SAMPLE) }
+
+    /** To be asked once for each triangle, in their order. */
+    fun isSampled(t: Int): Boolean {
+        val c = classOf(t)
+        return passed[c]++ % Math.max(1, counts[c] / SAMPLE) == 0
+    }
+
+    fun add(t: Int, elements: Double) {
+        sampledMost[classOf(t)] += most[t]
+        sampledElements[classOf(t)] += elements
+    }
+
+    fun total(): Double {
+        var sum = 0.0
+        for (c in 0 until CLASSES) {
+            if (counts[c] == 0) continue
+            val share = if (sampledMost[c] > 0 && counts[c] >= 2 * SAMPLE) sumOfMost[c] / sampledMost[c] else 1.0
+            sum += share * sampledElements[c]
+        }
+        return sum
+    }
+
+    private fun classOf(t: Int) = Math.max(0, Math.min(CLASSES - 1, Math.getExponent(most[t]) + SHIFT))
+
+    private companion object {
+        /** From a thousandth of an element to more than can be made. */
+        const val CLASSES = 64
+        const val SHIFT = 10
+        const val SAMPLE = 1000
     }
 }

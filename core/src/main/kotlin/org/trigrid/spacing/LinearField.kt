@@ -8,7 +8,8 @@ import java.util.BitSet
  *
  * A node finer than its stretch of the boundary rules only near itself: away from it, its part in the interpolation
  * grows by the gradation up to what is [typical] of the stretch. Else two fine nodes far apart, joined by an edge of
- * the triangulation, would ask for fine elements all the way between them.
+ * the triangulation, would ask for fine elements all the way between them. In the same way a small loop rules only as
+ * far as [reach]: beyond, its nodes' part grows by the gradation.
  *
  * A triangle far longer than wide can still hold a slope above the gradation; there the cones of [cones] rule where they
  * are lower. A place outside of the domain has the size of the nearest place of the triangle where the walk ended.
@@ -19,6 +20,8 @@ internal class LinearField(
     private val sizes: DoubleArray,
     /** Per node: the size typical of the boundary near it, in [sizes] or above. */
     private val typical: DoubleArray,
+    /** Per node: the distance from which on its part grows; infinity for never. */
+    private val reach: DoubleArray,
     private val cones: ConeTree,
     private val gradation: Double,
 ) : SizeField {
@@ -36,6 +39,10 @@ internal class LinearField(
             for (k in 3 * t..3 * t + 2) {
                 val node = mesh.nodes[k]
                 if (typical[node] > NOTABLE * sizes[node]) uneven.set(t)
+                if (reach[node] < Math.max(distance(node, mesh.nodes[next(k)]), distance(node, mesh.nodes[next(next(k))]))) {
+                    uneven.set(t)
+                    steep.set(t)
+                }
             }
         }
     }
@@ -60,12 +67,17 @@ internal class LinearField(
 
     private fun grown(node: Int, x: Double, y: Double): Double {
         val size = sizes[node]
-        val most = typical[node]
-        if (most <= size) return size
         val dx = x - mesh.xy[2 * node]
         val dy = y - mesh.xy[2 * node + 1]
-        return Math.min(most, size + gradation * Math.sqrt(dx * dx + dy * dy))
+        val distance = Math.sqrt(dx * dx + dy * dy)
+        val near = Math.max(size, Math.min(typical[node], size + gradation * distance))
+        return if (distance > reach[node]) near + gradation * (distance - reach[node]) else near
     }
+
+    private fun next(edge: Int): Int = if (edge % 3 == 2) edge - 2 else edge + 1
+
+    private fun distance(a: Int, b: Int): Double =
+        Math.hypot(mesh.xy[2 * b] - mesh.xy[2 * a], mesh.xy[2 * b + 1] - mesh.xy[2 * a + 1])
 
     private fun weighted(a: Double, b: Double, c: Double): Double {
         val u = Math.max(0.0, walk.weight0)

@@ -15,7 +15,7 @@ internal object SizeFields {
             cones.min(domain.x(it), domain.y(it), it, Double.POSITIVE_INFINITY)
         }
         val ofBoundary = when (rules.sizes) {
-            Sizes.SMOOTH -> LinearField(mesh, limited, typicalSizes(domain, limited), cones, gradation)
+            Sizes.SMOOTH -> LinearField(mesh, limited, typicalSizes(domain, limited), reaches(domain), cones, gradation)
             Sizes.GRADE -> GradedField(cones)
         }
         return bounded(ofBoundary, domain, limited, rules)
@@ -72,6 +72,25 @@ internal object SizeFields {
         return typical
     }
 
+    /** How far each node's spacing rules: [PERIMETERS] times the length of the shortest loop it lies on, or of its own segments. */
+    private fun reaches(domain: Domain): DoubleArray {
+        val reach = DoubleArray(domain.nodeCount) { Double.POSITIVE_INFINITY }
+        for (loop in 0 until domain.loopCount) {
+            val segments = domain.loopStart(loop) until domain.loopStart(loop + 1)
+            val length = segments.sumOf { domain.segmentLength(it) }
+            for (s in segments) {
+                val node = domain.segmentStart(s)
+                reach[node] = Math.min(reach[node], PERIMETERS * length)
+            }
+        }
+        for (s in domain.boundaryCount until domain.segmentCount) {
+            for (node in intArrayOf(domain.segmentStart(s), domain.segmentEnd(s))) {
+                if (reach[node] == Double.POSITIVE_INFINITY) reach[node] = PERIMETERS * domain.segmentLength(s)
+            }
+        }
+        return reach
+    }
+
     private fun sample(function: SizeFunction, domain: Domain, gradation: Double): SampledSizes {
         val minX = (0 until domain.nodeCount).minOf { domain.x(it) }
         val minY = (0 until domain.nodeCount).minOf { domain.y(it) }
@@ -108,4 +127,7 @@ internal object SizeFields {
 
     /** Share of the stretch's mean length that a finer node may grow to; larger shares lose the grading of smooth curves. */
     private const val SHARE = 1.0 / 3
+
+    /** Small enough for three holes a millionth of the domain wide, large enough to leave plates of holes alone. */
+    private const val PERIMETERS = 4.0
 }

@@ -15,7 +15,7 @@ internal object HostileDomains {
     val families: List<Family> = listOf(
         Family("needle fan") { needleFan(it) },
         Family("tiny gap") { tinyGap(it) },
-        Family("step of a million") { stepOfAMillion(it) },
+        Family("step of a million", every = 8) { stepOfAMillion(it) },
         Family("thousands of holes", every = 200) { manyHoles(it, 1000 + it.nextInt(9001)) },
         Family("hundreds of holes", every = 20) { manyHoles(it, 100 + it.nextInt(900)) },
         Family("several components") { components(it) },
@@ -27,7 +27,7 @@ internal object HostileDomains {
         Family("uneven tangle") { Domain.of(uneven(it, TangledPolygon.make(it, 4 + it.nextInt(10)), 3.0)) },
         Family("cocircular") { cocircular(it) },
         Family("snowflake") { snowflake(it) },
-        Family("coarse and fine sides") { coarseAndFine(it) },
+        Family("coarse and fine sides", every = 3) { coarseAndFine(it) },
     )
 
     private fun power(r: Random, low: Double, high: Double) = StrictMath.pow(10.0, low + (high - low) * r.nextDouble())

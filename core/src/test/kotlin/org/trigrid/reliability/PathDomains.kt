@@ -21,8 +21,8 @@ import java.util.Random
  */
 internal object PathDomains {
     val families: List<Family> = listOf(
-        Family("connectors dropped") { PathMaker(it, false).domain() },
-        Family("connectors kept") { PathMaker(it, true).domain() },
+        Family("connectors dropped", every = 4) { PathMaker(it, false).domain() },
+        Family("connectors kept", every = 4) { PathMaker(it, true).domain() },
     )
 }
 

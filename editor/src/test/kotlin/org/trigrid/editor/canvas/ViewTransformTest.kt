@@ -1,11 +1,11 @@
 package org.trigrid.editor.canvas
 
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Test
-import org.trigrid.domain.Domain
 
 class ViewTransformTest {
-    private val box = Box.of(Domain.of(doubleArrayOf(-1.0, 2.0, 3.0, 2.0, 3.0, 4.0, -1.0, 4.0)))
+    private val box = Box(-1.0, 2.0, 3.0, 4.0)
 
     @Test
     fun `a box fills the screen as far as its margin and stands in the middle`() {
@@ -26,16 +26,30 @@ class ViewTransformTest {
 
     @Test
     fun `a box without extent is shown at one pixel per length`() {
-        val point = Box.of(Domain.of(doubleArrayOf(5.0, 5.0, 5.0, 5.0, 5.0, 5.0)))
-        val view = ViewTransform.fit(point, 100.0, 100.0, 10.0)
+        val view = ViewTransform.fit(Box(5.0, 5.0, 5.0, 5.0), 100.0, 100.0, 10.0)
         assertEquals(1.0, view.scale)
         assertEquals(50.0, view.screenX(5.0), 1e-9)
     }
 
     @Test
-    fun `coordinates that are no numbers do not count`() {
-        val broken = Box.of(Domain.of(doubleArrayOf(0.0, 0.0, Double.NaN, 7.0, 1.0, 1.0)))
-        assertEquals(1.0, broken.width)
-        assertEquals(1.0, broken.height)
+    fun `zooming leaves the place under the mouse where it is`() {
+        val view = ViewTransform.fit(box, 640.0, 480.0, 30.0)
+        val closer = view.zoomed(2.5, 100.0, 333.0)
+        assertEquals(view.scale * 2.5, closer.scale, 1e-9)
+        assertEquals(view.domainX(100.0), closer.domainX(100.0), 1e-12)
+        assertEquals(view.domainY(333.0), closer.domainY(333.0), 1e-12)
+    }
+
+    @Test
+    fun `the sheet follows the mouse`() {
+        val view = ViewTransform(10.0, 0.0, 0.0).panned(20.0, -30.0)
+        assertEquals(20.0, view.screenX(0.0), 1e-12)
+        assertEquals(-30.0, view.screenY(0.0), 1e-12)
+    }
+
+    @Test
+    fun `no box of what is no number`() {
+        assertNull(Box.of(null))
+        assertNull(Box.of(doubleArrayOf(0.0, 0.0, Double.NaN, 1.0)))
     }
 }

@@ -1,0 +1,89 @@
+package org.trigrid.editor.app
+
+import javafx.scene.control.Alert
+import javafx.scene.control.ButtonBar
+import javafx.scene.control.ButtonType
+import javafx.scene.control.Label
+import javafx.scene.control.TextField
+import javafx.scene.control.Dialog
+import javafx.scene.layout.GridPane
+import javafx.stage.Window
+import org.trigrid.editor.inspector.FieldNumbers
+
+/** Questions that stop the window until they are answered. */
+internal class Dialogs(private val owner: () -> Window?) {
+    enum class Answer { SAVE, DISCARD, CANCEL }
+
+    /** Whether to save what would be lost. */
+    fun askToSave(name: String): Answer {
+        val save = ButtonType("Save", ButtonBar.ButtonData.YES)
+        val discard = ButtonType("Do not save", ButtonBar.ButtonData.NO)
+        val alert = alert(Alert.AlertType.CONFIRMATION, "Save the changes to “$name”?", "They are lost if you do not.")
+        alert.buttonTypes.setAll(save, discard, ButtonType.CANCEL)
+        return when (alert.showAndWait().orElse(ButtonType.CANCEL)) {
+            save -> Answer.SAVE
+            discard -> Answer.DISCARD
+            else -> Answer.CANCEL
+        }
+    }
+
+    fun askToRecover(name: String): Boolean {
+        val recover = ButtonType("Recover", ButtonBar.ButtonData.YES)
+        val discard = ButtonType("Discard", ButtonBar.ButtonData.NO)
+        val alert = alert(
+            Alert.AlertType.CONFIRMATION, "Recover unsaved changes to “$name”?",
+            "TriGrid was closed unexpectedly. It kept a copy of what you had not saved.",
+        )
+        alert.buttonTypes.setAll(recover, discard)
+        return alert.showAndWait().orElse(discard) == recover
+    }
+
+    fun tell(heading: String, message: String) {
+        alert(Alert.AlertType.ERROR, heading, message).show()
+    }
+
+    fun inform(heading: String, message: String) {
+        alert(Alert.AlertType.INFORMATION, heading, message).show()
+    }
+
+    /** Numbers typed into named fields; null if the dialog is cancelled. Fields that hold no number keep it from closing. */
+    fun askForNumbers(title: String, fields: List<Pair<String, String>>): List<Double>? {
+        val dialog = Dialog<List<Double>>()
+        dialog.title = title
+        dialog.headerText = title
+        dialog.initOwner(owner())
+        dialog.dialogPane.buttonTypes.setAll(ButtonType.OK, ButtonType.CANCEL)
+        val grid = GridPane()
+        grid.hgap = GAP
+        grid.vgap = GAP
+        val inputs = fields.mapIndexed { i, (label, value) ->
+            TextField(value).also { grid.addRow(i, Label(label), it) }
+        }
+        dialog.dialogPane.content = grid
+        val ok = dialog.dialogPane.lookupButton(ButtonType.OK)
+        val check = { ok.isDisable = inputs.any { number(it.text) == null } }
+        inputs.forEach { input -> input.textProperty().addListener { _, _, _ -> check() } }
+        check()
+        dialog.setOnShown { inputs.firstOrNull()?.requestFocus() }
+        dialog.setResultConverter { button -> if (button == ButtonType.OK) inputs.map { number(it.text)!! } else null }
+        return dialog.showAndWait().orElse(null)
+    }
+
+    private fun number(text: String): Double? = try {
+        FieldNumbers.any(text)
+    } catch (_: IllegalArgumentException) {
+        null
+    }
+
+    private fun alert(type: Alert.AlertType, heading: String, message: String): Alert {
+        val alert = Alert(type, message)
+        alert.initOwner(owner())
+        alert.headerText = heading
+        alert.title = "TriGrid"
+        return alert
+    }
+
+    private companion object {
+        const val GAP = 10.0
+    }
+}

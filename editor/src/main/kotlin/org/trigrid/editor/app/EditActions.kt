@@ -1,0 +1,179 @@
+package org.trigrid.editor.app
+
+import javafx.scene.input.Clipboard
+import javafx.scene.input.ClipboardContent
+import org.trigrid.editor.canvas.DrawingCanvas
+import org.trigrid.editor.command.AddShapes
+import org.trigrid.editor.command.DeleteSelection
+import org.trigrid.editor.command.ProjectCommands
+import org.trigrid.editor.command.TransformSelection
+import org.trigrid.editor.document.BackgroundPicture
+import org.trigrid.editor.document.Selection
+import org.trigrid.editor.session.Clip
+import org.trigrid.editor.session.EditorSession
+import org.trigrid.editor.tool.Figures
+import org.trigrid.editor.tool.Grid
+import org.trigrid.editor.tool.TwoPointTool
+import org.trigrid.geometry.Point2
+import org.trigrid.shape.Similarity
+import java.nio.file.Path
+
+/** Copy and paste, mirror, turn, scale and repeat; the picture behind. */
+internal class EditActions(private val session: EditorSession, private val canvas: DrawingCanvas, private val dialogs: Dialogs) {
+    private val clip: Clip get() = Clip.of(session.document, session.selection)
+
+    fun copy() {
+        if (clip.isEmpty) return session.say("Pick shapes first, then copy them", true)
+        Clipboard.getSystemClipboard().setContent(ClipboardContent().apply { putString(clip.toText()) })
+        session.say("Copied")
+    }
+
+    fun cut() {
+        copy()
+        delete()
+    }
+
+    fun paste() {
+        val text = Clipboard.getSystemClipboard().string ?: return session.say("There is nothing to paste", true)
+        val pasted = Clip.parse(text)
+        if (pasted == null || pasted.isEmpty) return session.say("Only shapes, projects and lists of points can be pasted", true)
+        add(pasted, if (session.document.isEmpty) Similarity.translation(0.0, 0.0) else shift(), "paste")
+        if (session.document.isEmpty) canvas.fit()
+    }
+
+    fun duplicate() = add(clip, shift(), "duplicate")
+
+    fun delete() {
+        if (!session.selection.isEmpty) session.execute(DeleteSelection(session.selection))
+    }
+
+    fun selectAll() = session.select(Selection.all(session.document))
+
+    fun mirror() = session.use(
+        TwoPointTool(session, "Mirror", "Click the first point of the mirror line", "Click its second point") { a, b ->
+            session.execute(TransformSelection(Similarity.reflection(a, b), "mirror"))
+            session.selectTool()
+        },
+    )
+
+    fun rotate() {
+        val middle = middle() ?: return
+        val numbers = dialogs.askForNumbers("Rotate", listOf("Angle, degrees" to "90") + centre(middle)) ?: return
+        session.execute(TransformSelection(Similarity.rotation(Point2(numbers[1], numbers[2]), numbers[0]), "rotate"))
+    }
+
+    fun scale() {
+        val middle = middle() ?: return
+        val numbers = dialogs.askForNumbers("Scale", listOf("Factor" to "2") + centre(middle)) ?: return
+        if (numbers[0] <= 0) return session.say("The factor must be above 0", true)
+        session.execute(TransformSelection(Similarity.scaling(Point2(numbers[1], numbers[2]), numbers[0]), "scale"))
+    }
+
+    fun array() {
+        if (clip.isEmpty) return session.say("Pick shapes first, then repeat them", true)
+        val numbers = dialogs.askForNumbers(
+            "Repeat in rows and columns",
+            listOf("Columns" to "3", "Rows" to "1", "Distance in x" to "2", "Distance in y" to "2"),
+        ) ?: return
+        val columns = numbers[0].toInt().coerceIn(1, MOST_COPIES)
+        val rows = numbers[1].toInt().coerceIn(1, MOST_COPIES)
+        val copies = (0 until rows * columns).drop(1)
+            .map { clip.moved(Similarity.translation(it % columns * numbers[2], it / columns * numbers[3])) }
+        session.execute(AddShapes(copies.flatMap { it.shapes }, copies.flatMap { it.loops }, "array"))
+    }
+
+    fun findNode() {
+        val number = dialogs.askForNumbers("Find node", listOf("Number" to "0"))?.first()?.toInt() ?: return
+        val nodes = session.document.nodes
+        if (number !in 0 until nodes.count) return session.say("There are nodes 0 to ${nodes.count - 1}", true)
+        session.selectTool()
+        session.select(Selection.ofNode(number))
+        canvas.lookAt(nodes.x(number), nodes.y(number))
+    }
+
+    fun measure() = session.use(
+        TwoPointTool(session, "Measure", "Click the first point", "Click the second point") { a, b ->
+            session.say("From ${place(a)} to ${place(b)}: length ${Figures.length(a.distanceTo(b))}")
+        },
+    )
+
+    /** Lays a picture behind the drawing, as wide as what is seen. */
+    fun setPicture(file: Path, width: Double) {
+        val view = canvas.transform
+        val factor = canvas.width * view.pixel / width.coerceAtLeast(1.0)
+        val corner = Point2(view.left, view.domainY(canvas.height))
+        val placement = Similarity.scaling(Point2(0.0, 0.0), factor).then(Similarity.translation(corner.x, corner.y))
+        session.execute(ProjectCommands.picture("set picture", BackgroundPicture(file, placement)))
+    }
+
+    fun scalePicture() {
+        val picture = session.document.picture ?: return session.say("Set a background picture first", true)
+        session.use(
+            TwoPointTool(session, "Scale picture", "Click a point of the picture", "Click another one whose distance you know") { a, b ->
+                session.selectTool()
+                val distance = dialogs.askForNumbers("Distance of the two points", listOf("Distance" to Figures.length(a.distanceTo(b))))?.first()
+                if (distance != null && distance > 0) {
+                    session.execute(ProjectCommands.picture("scale picture", picture.scaledTo(a, b, distance)))
+                }
+            },
+        )
+    }
+
+    fun movePicture() {
+        val picture = session.document.picture ?: return session.say("Set a background picture first", true)
+        session.use(
+            TwoPointTool(session, "Move picture", "Click a point of the picture", "Click where it belongs") { a, b ->
+                session.selectTool()
+                val moved = picture.withPlacement(picture.placement.then(Similarity.translation(b.x - a.x, b.y - a.y)))
+                session.execute(ProjectCommands.picture("move picture", moved))
+            },
+        )
+    }
+
+    fun fadePicture(change: Double) {
+        val picture = session.document.picture ?: return session.say("Set a background picture first", true)
+        session.execute(ProjectCommands.picture("fade picture", picture.withOpacity(picture.opacity + change), "fade picture"))
+    }
+
+    fun removePicture() {
+        if (session.document.picture != null) session.execute(ProjectCommands.picture("remove picture", null))
+    }
+
+    private fun add(what: Clip, by: Similarity, name: String) {
+        val moved = what.moved(by)
+        if (moved.isEmpty) return session.say("Pick shapes first", true)
+        session.selectTool()
+        session.execute(AddShapes(moved.shapes, moved.loops, name))
+    }
+
+    private fun shift(): Similarity {
+        val step = Grid.stepFor(canvas.transform.pixel)
+        return Similarity.translation(step, -step)
+    }
+
+    private fun centre(middle: Point2) = listOf("About x" to Figures.length(middle.x), "About y" to Figures.length(middle.y))
+
+    /** Middle of the nodes of what is picked. */
+    private fun middle(): Point2? {
+        val document = session.document
+        val picked = session.selection
+        val nodes = LinkedHashSet(picked.nodes)
+        for (shape in picked.shapes) for (node in document.path.nodesOf(shape)) nodes.add(node)
+        for (outline in document.outlines) if (outline.loop in picked.loops) for (node in outline.nodes) nodes.add(node)
+        if (nodes.isEmpty()) {
+            session.say("Pick shapes or nodes first", true)
+            return null
+        }
+        val all = document.nodes
+        return Point2(
+            (nodes.minOf { all.x(it) } + nodes.maxOf { all.x(it) }) / 2,
+            (nodes.minOf { all.y(it) } + nodes.maxOf { all.y(it) }) / 2,
+        )
+    }
+
+    private fun place(p: Point2) = "${Figures.length(p.x)}, ${Figures.length(p.y)}"
+
+    private companion object {
+        const val MOST_COPIES = 200
+    }
+}

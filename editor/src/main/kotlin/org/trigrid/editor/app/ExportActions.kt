@@ -1,0 +1,83 @@
+package org.trigrid.editor.app
+
+import javafx.scene.SnapshotParameters
+import javafx.scene.image.WritableImage
+import javafx.stage.FileChooser
+import javafx.stage.Window
+import org.trigrid.editor.canvas.DrawingCanvas
+import org.trigrid.editor.meshing.Colouring
+import org.trigrid.editor.session.EditorSession
+import org.trigrid.io.MeshFormat
+import org.trigrid.io.MeshFormats
+import org.trigrid.picture.PictureOptions
+import org.trigrid.picture.Pictures
+import java.nio.file.Path
+
+/** Writes meshes and pictures. */
+internal class ExportActions(
+    private val session: EditorSession,
+    private val files: FileActions,
+    private val canvas: DrawingCanvas,
+    private val window: () -> Window?,
+) {
+    fun mesh() {
+        val mesh = session.mesh ?: return session.say("Make a mesh first, then export it", true)
+        val chooser = files.chooser("Export the mesh")
+        val version22 = FileChooser.ExtensionFilter("Gmsh mesh 2.2", "*.msh")
+        val version41 = FileChooser.ExtensionFilter("Gmsh mesh 4.1", "*.msh")
+        chooser.extensionFilters.addAll(version22, version41)
+        chooser.initialFileName = baseName() + ".msh"
+        val chosen = chooser.showSaveDialog(window())?.toPath() ?: return
+        val format = if (chooser.selectedExtensionFilter == version41) MeshFormat.MSH_41 else MeshFormat.MSH_22
+        export(ended(chosen, ".msh")) { MeshFormats.write(mesh.mesh, it, format) }
+    }
+
+    fun svg() {
+        val chosen = choose("Export as SVG", "SVG picture", ".svg") ?: return
+        export(chosen) { picture()?.writeSvg(it) }
+    }
+
+    /** What the window shows. */
+    fun png() {
+        val chosen = choose("Export what is shown as PNG", "PNG picture", ".png") ?: return
+        export(chosen) { PngFile.write(snapshot(canvas, EXPORT_DENSITY), it) }
+    }
+
+    private fun picture(): org.trigrid.picture.Picture? {
+        val mesh = session.mesh
+        val options = PictureOptions.builder().quality(session.view.colouring != Colouring.NONE).build()
+        if (mesh != null && session.view.showMesh) return Pictures.mesh(mesh.mesh, options)
+        return Pictures.domain(session.document.project.toDomain())
+    }
+
+    private fun choose(title: String, kind: String, ending: String): Path? {
+        if (session.document.isEmpty) {
+            session.say("Draw something first, then export it", true)
+            return null
+        }
+        val chooser = files.chooser(title)
+        chooser.extensionFilters.add(FileChooser.ExtensionFilter(kind, "*$ending"))
+        chooser.initialFileName = baseName() + ending
+        return chooser.showSaveDialog(window())?.toPath()?.let { ended(it, ending) }
+    }
+
+    private fun export(file: Path, write: (Path) -> Unit) {
+        if (files.attempt("$file cannot be written") { write(file) }) session.say("Wrote ${file.fileName}")
+    }
+
+    private fun ended(file: Path, ending: String): Path =
+        if (file.fileName.toString().endsWith(ending)) file else file.resolveSibling(file.fileName.toString() + ending)
+
+    private fun baseName(): String = session.title.substringBefore('.').ifEmpty { "mesh" }
+
+    companion object {
+        private const val EXPORT_DENSITY = 2.0
+
+        /** [node] as it looks, with [density] pixels to one of the window's. */
+        fun snapshot(node: javafx.scene.Node, density: Double): WritableImage {
+            val parameters = SnapshotParameters()
+            parameters.transform = javafx.scene.transform.Transform.scale(density, density)
+            return node.snapshot(parameters, null)
+        }
+    }
+}

@@ -1,0 +1,82 @@
+package org.trigrid.editor.app
+
+import javafx.scene.Scene
+import javafx.scene.control.TextInputControl
+import javafx.scene.input.KeyCode
+import javafx.scene.input.KeyEvent
+import org.trigrid.editor.canvas.DrawingCanvas
+import org.trigrid.editor.command.TransformSelection
+import org.trigrid.editor.session.EditorSession
+import org.trigrid.editor.tool.Grid
+import org.trigrid.editor.tool.ShapeKind
+import org.trigrid.shape.Similarity
+
+/** Keys pressed while nobody types into a field: tools by their letters, places by their digits, the tool's own keys. */
+internal class KeyInput(
+    private val session: EditorSession,
+    private val canvas: DrawingCanvas,
+    private val edit: EditActions,
+    private val beginEntry: (String) -> Unit,
+) {
+    fun listenTo(scene: Scene) {
+        scene.addEventFilter(KeyEvent.KEY_PRESSED) { event ->
+            val isTyping = scene.focusOwner is TextInputControl
+            if (!isTyping && isDrawing(scene) && pressed(event)) event.consume()
+        }
+        scene.addEventFilter(KeyEvent.KEY_RELEASED) { if (it.code == KeyCode.SPACE) canvas.isPanning = false }
+        scene.addEventFilter(KeyEvent.KEY_TYPED) { event ->
+            val first = event.character
+            val begins = first.length == 1 && (first[0].isDigit() || first[0] in "@.-+")
+            if (begins && scene.focusOwner !is TextInputControl && !event.isShortcutDown && !event.isAltDown) {
+                beginEntry(first)
+                event.consume()
+            }
+        }
+    }
+
+    /** Lists, buttons and tabs keep their keys. */
+    private fun isDrawing(scene: Scene): Boolean = scene.focusOwner == null || scene.focusOwner === canvas
+
+    private fun pressed(event: KeyEvent): Boolean {
+        if (event.isShortcutDown || event.isMetaDown) return false
+        return when (event.code) {
+            KeyCode.ENTER -> told { it.enter() }
+            KeyCode.BACK_SPACE -> told { it.backspace() } || deleted()
+            KeyCode.DELETE -> deleted()
+            KeyCode.ESCAPE -> if (session.progress != null) true.also { session.cancelMeshing() } else told { it.cancel() }
+            KeyCode.SPACE -> true.also { canvas.isPanning = true }
+            KeyCode.UP -> told { it.count(1) } || nudged(0, 1)
+            KeyCode.DOWN -> told { it.count(-1) } || nudged(0, -1)
+            KeyCode.LEFT -> nudged(-1, 0)
+            KeyCode.RIGHT -> nudged(1, 0)
+            KeyCode.V -> true.also { session.selectTool(event.isShiftDown) }
+            else -> drawn(event)
+        }
+    }
+
+    private fun told(tell: (org.trigrid.editor.tool.Tool) -> Boolean): Boolean {
+        var meant = false
+        session.withTool { meant = tell(it) }
+        return meant
+    }
+
+    private fun deleted(): Boolean {
+        edit.delete()
+        return true
+    }
+
+    /** Arrow keys move what is picked by one step of the grid; presses in a row are one step of the history. */
+    private fun nudged(x: Int, y: Int): Boolean {
+        if (session.selection.isEmpty) return false
+        val step = Grid.stepFor(canvas.transform.pixel)
+        session.execute(TransformSelection(Similarity.translation(x * step, y * step), "move", "nudge"))
+        return true
+    }
+
+    private fun drawn(event: KeyEvent): Boolean {
+        if (event.isShiftDown || event.isAltDown) return false
+        val kind = ShapeKind.entries.firstOrNull { it.key == event.code.getName() } ?: return false
+        session.draw(kind)
+        return true
+    }
+}

@@ -1,0 +1,143 @@
+package org.trigrid.editor.canvas
+
+import org.trigrid.editor.meshing.Colouring
+import org.trigrid.editor.meshing.MeshView
+import org.trigrid.mesh.TriMesh
+
+/**
+ * A mesh made ready for drawing: its elements in the order of a curve that fills the plane, in blocks with boxes, so
+ * that what is off the screen is passed over block by block. Immutable once made; may be drawn by any thread.
+ */
+internal class MeshRaster(val view: MeshView) {
+    private val mesh: TriMesh = view.mesh
+    private val count = mesh.elementCount
+    private val xy = mesh.nodeCoordinates()
+    private val order: IntArray
+    private val nodes = IntArray(3 * count)
+    private val boxes: DoubleArray
+    private val small: SmallElements
+    private val meanArea: Double
+    private val colourings = java.util.EnumMap<Colouring, IntArray>(Colouring::class.java)
+
+    init {
+        val given = mesh.elementNodes()
+        order = ElementOrder.of(xy, given)
+        for (i in 0 until count) for (k in 0..2) nodes[3 * i + k] = given[3 * order[i] + k]
+        boxes = DoubleArray(4 * ((count + BLOCK - 1) / BLOCK))
+        for (block in 0 until boxes.size / 4) measure(block)
+        small = SmallElements(xy, nodes)
+        meanArea = if (count == 0) 0.0 else (0 until count).sumOf { mesh.area(it) } / count
+    }
+
+    /** The element that holds a place of the domain, or -1. */
+    fun elementAt(x: Double, y: Double): Int {
+        for (block in 0 until boxes.size / 4) {
+            val b = 4 * block
+            if (x < boxes[b] || y < boxes[b + 1] || x > boxes[b + 2] || y > boxes[b + 3]) continue
+            for (i in block * BLOCK until minOf(count, (block + 1) * BLOCK)) if (holds(i, x, y)) return order[i]
+        }
+        return -1
+    }
+
+    /** Draws what [transform] shows; transparent where there is no mesh. */
+    fun draw(raster: PixelRaster, transform: ViewTransform, colouring: Colouring, ink: MeshInk) {
+        raster.clear(0)
+        val colours = coloursOf(colouring)
+        visible(raster, transform) { from, to -> fill(raster, transform, from, to, colours, ink.fill) }
+        val meanEdge = Math.sqrt(meanArea) * EDGE_OF_AREA * transform.scale
+        val strength = ((meanEdge - FAINTEST_EDGE) / (STRONGEST_EDGE - FAINTEST_EDGE) * STRONGEST).toInt().coerceIn(0, STRONGEST)
+        if (strength == 0) return
+        val isPlain = colouring == Colouring.NONE
+        val line = if (isPlain) ink.line else ink.lineOnColour
+        val share = if (isPlain) strength else (strength * ON_COLOUR).toInt()
+        visible(raster, transform) { from, to -> lines(raster, transform, from, to, line, share) }
+    }
+
+    private inline fun visible(raster: PixelRaster, t: ViewTransform, draw: (Int, Int) -> Unit) {
+        val right = t.domainX(raster.width.toDouble())
+        val bottom = t.domainY(raster.height.toDouble())
+        for (block in 0 until boxes.size / 4) {
+            val b = 4 * block
+            if (boxes[b] > right || boxes[b + 2] < t.left || boxes[b + 1] > t.top || boxes[b + 3] < bottom) continue
+            draw(block * BLOCK, minOf(count, (block + 1) * BLOCK))
+        }
+    }
+
+    private fun fill(raster: PixelRaster, t: ViewTransform, from: Int, to: Int, colours: IntArray?, plain: Int) {
+        for (i in from until to) {
+            val colour = if (colours == null) plain else colours[i]
+            if (small.draw(raster, t, i, colour)) continue
+            val ax = t.screenX(xy[2 * nodes[3 * i]])
+            val ay = t.screenY(xy[2 * nodes[3 * i] + 1])
+            val bx = t.screenX(xy[2 * nodes[3 * i + 1]])
+            val by = t.screenY(xy[2 * nodes[3 * i + 1] + 1])
+            val cx = t.screenX(xy[2 * nodes[3 * i + 2]])
+            val cy = t.screenY(xy[2 * nodes[3 * i + 2] + 1])
+            raster.triangle(ax, ay, bx, by, cx, cy, colour)
+        }
+    }
+
+    /** Each edge once, by the element that has it from the lower node to the higher, or has no neighbour there. */
+    private fun lines(raster: PixelRaster, t: ViewTransform, from: Int, to: Int, colour: Int, strength: Int) {
+        for (i in from until to) {
+            for (k in 0..2) {
+                val a = nodes[3 * i + k]
+                val b = nodes[3 * i + (k + 1) % 3]
+                if (a > b && mesh.neighbourOf(order[i], k) >= 0) continue
+                raster.line(
+                    t.screenX(xy[2 * a]), t.screenY(xy[2 * a + 1]), t.screenX(xy[2 * b]), t.screenY(xy[2 * b + 1]), colour, strength,
+                )
+            }
+        }
+    }
+
+    /** A colour an element, or null for one colour for all. */
+    private fun coloursOf(colouring: Colouring): IntArray? {
+        if (colouring == Colouring.NONE) return null
+        return synchronized(colourings) {
+            colourings.getOrPut(colouring) {
+                IntArray(count) { ColourScale.of(colouring).colour(view.level(order[it], colouring)) }
+            }
+        }
+    }
+
+    private fun holds(i: Int, x: Double, y: Double): Boolean {
+        for (k in 0..2) {
+            val a = 2 * nodes[3 * i + k]
+            val b = 2 * nodes[3 * i + (k + 1) % 3]
+            if ((xy[b] - xy[a]) * (y - xy[a + 1]) - (xy[b + 1] - xy[a + 1]) * (x - xy[a]) < 0) return false
+        }
+        return true
+    }
+
+    private fun measure(block: Int) {
+        val b = 4 * block
+        boxes[b] = Double.POSITIVE_INFINITY
+        boxes[b + 1] = Double.POSITIVE_INFINITY
+        boxes[b + 2] = Double.NEGATIVE_INFINITY
+        boxes[b + 3] = Double.NEGATIVE_INFINITY
+        for (at in 3 * block * BLOCK until 3 * minOf(count, (block + 1) * BLOCK)) {
+            val x = xy[2 * nodes[at]]
+            val y = xy[2 * nodes[at] + 1]
+            boxes[b] = Math.min(boxes[b], x)
+            boxes[b + 1] = Math.min(boxes[b + 1], y)
+            boxes[b + 2] = Math.max(boxes[b + 2], x)
+            boxes[b + 3] = Math.max(boxes[b + 3], y)
+        }
+    }
+
+    private companion object {
+        const val BLOCK = 64
+
+        /** Mean edges, in pixels, between which lines come up from nothing. */
+        const val FAINTEST_EDGE = 3.0
+        const val STRONGEST_EDGE = 12.0
+        const val STRONGEST = 230
+
+        /** Lines between colours are fainter, so that the colours speak. */
+        const val ON_COLOUR = 0.6
+
+        /** Edge of an equilateral triangle over the root of its area. */
+        const val EDGE_OF_AREA = 1.52
+    }
+}

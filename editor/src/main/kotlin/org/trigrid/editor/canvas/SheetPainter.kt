@@ -1,0 +1,73 @@
+package org.trigrid.editor.canvas
+
+import javafx.scene.canvas.GraphicsContext
+import javafx.scene.image.Image
+import javafx.scene.transform.Affine
+import org.trigrid.editor.document.BackgroundPicture
+import org.trigrid.editor.tool.Grid
+import org.trigrid.geometry.Point2
+
+/** Draws what lies under the mesh: the sheet, the grid, the picture to trace over. */
+internal class SheetPainter(
+    private val g: GraphicsContext,
+    private val view: ViewTransform,
+    private val width: Double,
+    private val height: Double,
+    private val colours: CanvasColours,
+) {
+    fun sheet() {
+        g.fill = colours.sheet
+        g.fillRect(0.0, 0.0, width, height)
+    }
+
+    fun grid() {
+        val step = Grid.stepFor(view.pixel)
+        val strong = Grid.strongEvery(step)
+        g.lineWidth = 1.0
+        lines(step, strong, view.left, view.domainX(width)) { at ->
+            val x = crisp(view.screenX(at))
+            g.strokeLine(x, 0.0, x, height)
+        }
+        lines(step, strong, view.domainY(height), view.top) { at ->
+            val y = crisp(view.screenY(at))
+            g.strokeLine(0.0, y, width, y)
+        }
+    }
+
+    private fun lines(step: Double, strong: Int, from: Double, to: Double, draw: (Double) -> Unit) {
+        val first = Math.ceil(from / step).toLong()
+        val last = Math.floor(to / step).toLong()
+        if (last - first > MOST_LINES) return
+        for (pass in 0..2) {
+            g.stroke = if (pass == 0) colours.gridFine else if (pass == 1) colours.gridStrong else colours.axis
+            for (i in first..last) {
+                val kind = if (i == 0L) 2 else if (i % strong == 0L) 1 else 0
+                if (kind == pass) draw(i * step)
+            }
+        }
+    }
+
+    /** Pixels of the picture go to the domain by its placement, from there to the screen. */
+    fun picture(image: Image, picture: BackgroundPicture) {
+        val origin = picture.placement.apply(Point2(0.0, 0.0))
+        val right = picture.placement.apply(Point2(1.0, 0.0))
+        val up = picture.placement.apply(Point2(0.0, 1.0))
+        g.save()
+        g.globalAlpha = picture.opacity
+        val h = image.height
+        // The image counts rows from above, its placement from below.
+        val ux = (right.x - origin.x) * view.scale
+        val uy = -(right.y - origin.y) * view.scale
+        val vx = -(up.x - origin.x) * view.scale
+        val vy = (up.y - origin.y) * view.scale
+        g.transform(Affine(ux, vx, view.screenX(origin.x) - vx * h, uy, vy, view.screenY(origin.y) - vy * h))
+        g.drawImage(image, 0.0, 0.0)
+        g.restore()
+    }
+
+    private fun crisp(value: Double): Double = Math.floor(value) + 0.5
+
+    private companion object {
+        const val MOST_LINES = 2000
+    }
+}

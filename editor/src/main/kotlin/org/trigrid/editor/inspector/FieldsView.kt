@@ -1,0 +1,145 @@
+package org.trigrid.editor.inspector
+
+import javafx.css.PseudoClass
+import javafx.geometry.HPos
+import javafx.scene.control.ChoiceBox
+import javafx.scene.control.Control
+import javafx.scene.control.Label
+import javafx.scene.control.TextField
+import javafx.scene.control.Tooltip
+import javafx.scene.input.KeyCode
+import javafx.scene.layout.ColumnConstraints
+import javafx.scene.layout.GridPane
+import javafx.scene.layout.Priority
+import javafx.scene.layout.VBox
+
+/**
+ * Shows sections of fields and hands on what is typed. No logic of its own.
+ *
+ * @param commit does what a text in a field asks for and returns what is wrong with it, or null.
+ */
+internal class FieldsView(private val commit: (InspectorField, String) -> String?) : VBox() {
+    private class Row(var field: InspectorField, val control: Control, val fault: Label)
+
+    private var layout: List<String> = emptyList()
+    private val rows = ArrayList<Row>()
+    private var isUpdating = false
+
+    init {
+        styleClass.add("fields")
+    }
+
+    /** Shows [sections]; a field in which somebody types keeps its text. */
+    fun show(sections: List<InspectorSection>) {
+        val wanted = sections.flatMap { s -> listOf("#" + s.heading) + s.fields.map { "${it.label}|${it.unit}|${it.choices}|${it.isReadOnly}" } }
+        isUpdating = true
+        if (wanted != layout) rebuild(sections) else sections.flatMap { it.fields }.forEachIndexed { i, field -> update(rows[i], field) }
+        layout = wanted
+        isUpdating = false
+    }
+
+    private fun rebuild(sections: List<InspectorSection>) {
+        children.clear()
+        rows.clear()
+        for (section in sections) {
+            val heading = Label(section.heading)
+            heading.styleClass.add("section-heading")
+            val grid = GridPane()
+            grid.styleClass.add("field-grid")
+            grid.columnConstraints.addAll(
+                ColumnConstraints(LABEL_WIDTH).apply { halignment = HPos.LEFT },
+                ColumnConstraints().apply { hgrow = Priority.ALWAYS; isFillWidth = true },
+                ColumnConstraints(UNIT_WIDTH),
+            )
+            section.fields.forEachIndexed { i, field -> addRow(grid, i, field) }
+            children.addAll(heading, grid)
+        }
+    }
+
+    private fun addRow(grid: GridPane, index: Int, field: InspectorField) {
+        val fault = Label()
+        fault.styleClass.add("field-fault")
+        fault.isWrapText = true
+        fault.isManaged = false
+        fault.isVisible = false
+        val control = controlFor(field)
+        val row = Row(field, control, fault)
+        rows.add(row)
+        update(row, field)
+        val label = Label(field.label)
+        label.styleClass.add("field-label")
+        label.labelFor = control
+        val unit = Label(field.unit)
+        unit.styleClass.add("field-unit")
+        if (field.help.isNotEmpty()) {
+            val tip = Tooltip(field.help)
+            control.tooltip = tip
+            label.tooltip = tip
+        }
+        control.accessibleText = "${field.label} ${field.unit}"
+        control.id = "field-" + field.label.lowercase().replace(' ', '-')
+        grid.addRow(2 * index, label, control)
+        if (field.unit.isEmpty()) GridPane.setColumnSpan(control, 2) else grid.add(unit, 2, 2 * index)
+        grid.add(fault, 1, 2 * index + 1, 2, 1)
+        listenTo(row)
+    }
+
+    private fun controlFor(field: InspectorField): Control = when {
+        field.isReadOnly -> Label().apply { styleClass.add("field-value") }
+        field.choices.isNotEmpty() -> ChoiceBox<String>().apply { maxWidth = Double.MAX_VALUE; items.addAll(field.choices) }
+        else -> TextField().apply { prefColumnCount = 7 }
+    }
+
+    private fun listenTo(row: Row) {
+        when (val control = row.control) {
+            is TextField -> {
+                control.setOnAction { submit(row, control.text) }
+                control.focusedProperty().addListener { _, _, isFocused -> if (!isFocused) submit(row, control.text) }
+                control.setOnKeyPressed {
+                    if (it.code == KeyCode.ESCAPE && control.text != row.field.value) {
+                        control.text = row.field.value
+                        tell(row, null)
+                        it.consume()
+                    }
+                }
+            }
+            is ChoiceBox<*> -> control.valueProperty().addListener { _, _, value ->
+                if (!isUpdating && value != null && value != row.field.value) submit(row, value.toString())
+            }
+            else -> Unit
+        }
+    }
+
+    private fun submit(row: Row, text: String) {
+        if (!isUpdating && row in rows) tell(row, commit(row.field, text))
+    }
+
+    private fun tell(row: Row, fault: String?) {
+        row.fault.text = fault.orEmpty()
+        row.fault.isVisible = fault != null
+        row.fault.isManaged = fault != null
+        row.control.pseudoClassStateChanged(INVALID, fault != null)
+    }
+
+    private fun update(row: Row, field: InspectorField) {
+        row.field = field
+        when (val control = row.control) {
+            is Label -> control.text = field.value
+            is TextField -> if (control.text != field.value && (!control.isFocused || !control.pseudoClassStates.contains(INVALID))) {
+                control.text = field.value
+                tell(row, null)
+            }
+            is ChoiceBox<*> -> {
+                @Suppress("UNCHECKED_CAST")
+                (control as ChoiceBox<String>).value = field.value.ifEmpty { null }
+            }
+            else -> Unit
+        }
+    }
+
+    private companion object {
+        val INVALID: PseudoClass = PseudoClass.getPseudoClass("invalid")
+        const val LABEL_WIDTH = 86.0
+        const val UNIT_WIDTH = 76.0
+    }
+}

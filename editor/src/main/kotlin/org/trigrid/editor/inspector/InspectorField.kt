@@ -1,0 +1,21 @@
+package org.trigrid.editor.inspector
+
+import org.trigrid.editor.command.EditCommand
+
+/** A property as people see and change it. Immutable. */
+internal class InspectorField(
+    val label: String,
+    val value: String,
+    /** Behind the field; empty for none. */
+    val unit: String = "",
+    /** What can be chosen; empty for what is typed. */
+    val choices: List<String> = emptyList(),
+    val help: String = "",
+    /** The command that a text asks for; throws [IllegalArgumentException] with the reason where it asks for nothing. Null: cannot be changed. */
+    val change: ((String) -> EditCommand)? = null,
+) {
+    val isReadOnly: Boolean get() = change == null
+}
+
+/** Fields under one heading. */
+internal class InspectorSection(val heading: String, val fields: List<InspectorField>)

@@ -1,0 +1,90 @@
+package org.trigrid.editor.inspector
+
+import org.trigrid.MeshOptions
+import org.trigrid.spacing.Sizes
+import org.trigrid.front.Strategy
+import org.trigrid.editor.command.EditCommand
+import org.trigrid.editor.command.ProjectCommands
+import org.trigrid.editor.session.EditorSession
+import org.trigrid.editor.tool.Figures
+import org.trigrid.numbering.NumberingMethod
+
+/** What can be asked of the mesher, as fields. No controls. */
+internal class OptionsViewModel(private val session: EditorSession) {
+    private val options: MeshOptions get() = session.document.project.options
+
+    val sections: List<InspectorSection>
+        get() = listOf(
+            InspectorSection("Element sizes", sizeFields()),
+            InspectorSection("Method", methodFields()),
+            InspectorSection("Names", nameFields()),
+        )
+
+    private fun sizeFields(): List<InspectorField> = listOf(
+        choice("Sizes", options.sizes, Sizes.entries, "How sizes vary away from the boundary") { sizes(it) },
+        number("Gradation", Figures.exact(options.gradation), "per length", "Largest slope of the size; small for even sizes, 0.25 by default") {
+            gradation(FieldNumbers.positive(it))
+        },
+        number("Smallest", if (options.minSize == 0.0) "" else Figures.exact(options.minSize), "length", "Empty for no limit") {
+            minSize(if (it.isBlank()) 0.0 else FieldNumbers.notNegative(it))
+        },
+        number("Largest", if (options.maxSize.isInfinite()) "" else Figures.exact(options.maxSize), "length", "Empty for no limit") {
+            maxSize(FieldNumbers.positiveOrNone(it))
+        },
+    )
+
+    private fun methodFields(): List<InspectorField> = listOf(
+        choice("Strategy", options.strategy, Strategy.entries, "Robust makes the better mesh; Classic follows the paper") { strategy(it) },
+        InspectorField("Improve", if (options.improve) ON else OFF, choices = listOf(ON, OFF), help = "Smooth and flip after the front") { text ->
+            change("improving") { improve(text == ON) }
+        },
+        number("Tolerance", Figures.exact(options.smoothingTolerance), "of a size", "Smoothing stops when no node moves further") {
+            smoothingTolerance(FieldNumbers.positive(it))
+        },
+        choice("Numbering", options.numbering, NumberingMethod.entries, "Order of the nodes; Best gives the smallest bandwidth") { numbering(it) },
+        number("At most", options.maxElements.toString(), "elements", "A larger mesh is refused before it is begun") {
+            maxElements(FieldNumbers.whole(it, 1..Int.MAX_VALUE))
+        },
+    )
+
+    private fun nameFields(): List<InspectorField> {
+        val project = session.document.project
+        val region = InspectorField("Region", project.regionName, help = "Physical group of the elements") { ProjectCommands.regionName(it.trim()) }
+        val connectors = InspectorField(
+            "Connectors", if (project.keepsConnectors) KEPT else DROPPED, choices = listOf(DROPPED, KEPT),
+            help = "Kept connectors become edges of the mesh",
+        ) { ProjectCommands.keepConnectors(it == KEPT) }
+        val groups = session.document.groups().map { group ->
+            InspectorField("Group", group, help = "Renames this boundary group everywhere") { ProjectCommands.renameGroup(group, it.trim()) }
+        }
+        return listOf(region, connectors) + groups
+    }
+
+    private fun number(label: String, value: String, unit: String, help: String, set: MeshOptions.Builder.(String) -> MeshOptions.Builder) =
+        InspectorField(label, value, unit, help = help) { text -> change(label.lowercase()) { set(text) } }
+
+    private fun <E : Enum<E>> choice(
+        label: String,
+        value: E,
+        all: List<E>,
+        help: String,
+        set: MeshOptions.Builder.(E) -> MeshOptions.Builder,
+    ) = InspectorField(label, word(value), choices = all.map(::word), help = help) { text ->
+        change(label.lowercase()) { set(all.first { word(it) == text }) }
+    }
+
+    private fun change(what: String, set: MeshOptions.Builder.() -> MeshOptions.Builder): EditCommand =
+        ProjectCommands.options(what, options.toBuilder().set().build())
+
+    private fun word(value: Enum<*>): String = when (value) {
+        NumberingMethod.CUTHILL_MCKEE -> "Cuthill–McKee"
+        else -> value.name.lowercase().replaceFirstChar { it.uppercase() }
+    }
+
+    private companion object {
+        const val ON = "On"
+        const val OFF = "Off"
+        const val KEPT = "Kept"
+        const val DROPPED = "Dropped"
+    }
+}

@@ -1,0 +1,28 @@
+package org.trigrid.editor.meshing
+
+import org.trigrid.diagnostics.FaultKind
+import org.trigrid.domain.WarningKind
+
+/** What faults and warnings are called in the problem list. */
+internal object ProblemWords {
+    fun title(kind: FaultKind): String = when (kind) {
+        FaultKind.NOT_A_NUMBER -> "Not a number"
+        FaultKind.CROSSING -> "Lines cross"
+        FaultKind.TOUCHING -> "Node on a line"
+        FaultKind.DUPLICATE_NODE -> "Two nodes at one place"
+        FaultKind.ZERO_LENGTH -> "No length"
+        FaultKind.SPIKE -> "Spike"
+        FaultKind.OPEN_WALK -> "Not closed"
+        FaultKind.HOLE_OUTSIDE -> "Hole outside"
+        FaultKind.OVERLAP -> "Lines overlap"
+        FaultKind.DEGENERATE_LOOP -> "No area"
+        FaultKind.EMBEDDED_OUTSIDE -> "Inner line outside"
+    }
+
+    fun title(kind: WarningKind): String = when (kind) {
+        WarningKind.NARROW_GAP -> "Narrow gap"
+        WarningKind.CLOSE_LOOPS -> "Loops close together"
+        WarningKind.SHARP_ANGLE -> "Sharp angle"
+        WarningKind.SPACING_JUMP -> "Spacing jumps"
+    }
+}

@@ -1,0 +1,121 @@
+package org.trigrid.editor.files
+
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import org.trigrid.domain.DomainCheck
+import org.trigrid.domain.Path as ShapePath
+import org.trigrid.editor.document.EditorDocument
+import org.trigrid.project.Project
+import org.trigrid.project.ProjectFile
+import org.trigrid.shape.Circle
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.writeText
+
+class FilesTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val document = EditorDocument(Project.of(ShapePath.of(Circle(0.0, 0.0, 2.0, 0.5))))
+
+    @Test
+    fun `a document is read back as it was written`() {
+        val file = folder.resolve("a.trigrid.json")
+        DocumentFile.write(file, document)
+        val read = DocumentFile.read(file)
+        assertTrue(read.isProject)
+        assertEquals(ProjectFile.format(document.project), ProjectFile.format(read.document.project))
+    }
+
+    @Test
+    fun `polygons become loops, and new shapes get their spacing`() {
+        val file = folder.resolve("a.wkt")
+        file.writeText("POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0), (0.4 0.4, 0.6 0.4, 0.6 0.6, 0.4 0.6, 0.4 0.4))")
+        val read = DocumentFile.read(file)
+        assertFalse(read.isProject)
+        assertEquals(2, read.document.loops.size)
+        assertEquals(0.6, read.document.project.defaults.spacing)
+    }
+
+    @Test
+    fun `names get the ending of a project once`() {
+        assertEquals("a.trigrid.json", DocumentFile.withEnding(Path.of("a")).fileName.toString())
+        assertEquals("a.trigrid.json", DocumentFile.withEnding(Path.of("a.json")).fileName.toString())
+        assertEquals("a.trigrid.json", DocumentFile.withEnding(Path.of("a.trigrid.json")).fileName.toString())
+    }
+
+    @Test
+    fun `what a killed editor had not saved is recovered`() {
+        val file = folder.resolve("a.trigrid.json")
+        val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+        val process = ProcessBuilder(java, "-cp", System.getProperty("java.class.path"), KilledEditor::class.java.name, file.toString())
+            .redirectErrorStream(true).start()
+        val line = process.inputStream.bufferedReader().readLine()
+        process.destroyForcibly().waitFor()
+        assertEquals("copied", line)
+        assertFalse(file.exists())
+        val autosave = Autosave(folder)
+        val recovered = autosave.recovered(file)
+        assertNotNull(recovered)
+        assertEquals(1, recovered!!.path.shapeCount)
+        autosave.discard(file)
+        assertNull(autosave.recovered(file))
+    }
+
+    @Test
+    fun `a copy older than the file is not offered, nor half a copy`() {
+        val file = folder.resolve("a.trigrid.json")
+        val autosave = Autosave(folder)
+        autosave.write(file, document)
+        DocumentFile.write(file, document)
+        Files.setLastModifiedTime(autosave.copyOf(file), java.nio.file.attribute.FileTime.fromMillis(0))
+        assertNull(autosave.recovered(file))
+        autosave.copyOf(null).writeText("{\"format\": \"trigrid\", \"ver")
+        assertNull(autosave.recovered(null))
+    }
+
+    @Test
+    fun `preferences and recent files are remembered, the last first`() {
+        val preferences = Preferences(folder)
+        preferences["theme"] = "DARK"
+        for (i in 0..12) preferences.remember(folder.resolve("f$i"))
+        preferences.remember(folder.resolve("f9"))
+        val again = Preferences(folder)
+        assertEquals("DARK", again["theme"])
+        assertEquals(Preferences.MOST_RECENT, again.recent.size)
+        assertEquals(listOf("f9", "f12", "f11"), again.recent.take(3).map { it.fileName.toString() })
+        again.forget(again.recent[0])
+        assertEquals("f12", Preferences(folder).recent[0].fileName.toString())
+    }
+
+    @Test
+    fun `preferences that are broken or cannot be kept do not stop work`() {
+        folder.resolve("editor.properties").writeText("\\u00zz = x")
+        assertNull(Preferences(folder)["theme"])
+        folder.resolve("plain").writeText("")
+        val unkept = Preferences(folder.resolve("plain"))
+        unkept["theme"] = "DARK"
+        assertEquals("DARK", unkept["theme"])
+    }
+
+    @Test
+    fun `lists of points are loops`() {
+        val loops = PointList.parse("0 0\n1, 0\n1;1\n\n5 5\n6 5\n6 6\n5 5\n")!!
+        assertEquals(2, loops.size)
+        assertArrayEquals(doubleArrayOf(0.0, 0.0, 1.0, 0.0, 1.0, 1.0), loops[0])
+        assertArrayEquals(doubleArrayOf(5.0, 5.0, 6.0, 5.0, 6.0, 6.0), loops[1])
+        for (text in listOf("", "hello", "1 2\n3 4", "1\n2\n3")) assertNull(PointList.parse(text), text)
+    }
+
+    @Test
+    fun `every case of the gallery is a valid domain`() {
+        for (case in Gallery.entries) assertEquals(0, DomainCheck.check(case.document().project.toDomain()).size, case.label)
+    }
+}
