@@ -32,6 +32,7 @@ subprojects {
                     "-Xno-param-assertions",
                     "-Xno-call-assertions",
                     "-Xno-receiver-assertions",
+                    "-Xstring-concat=inline",
                 )
             }
         }

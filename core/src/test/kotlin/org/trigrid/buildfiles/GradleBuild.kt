@@ -52,7 +52,7 @@ internal class GradleBuild(private val root: Path) {
     }
 
     fun compilerArguments(module: String): Set<String> = buildSet {
-        Regex(""""(-X[\w-]+)"""").findAll(rootScript).forEach { add(it.groupValues[1]) }
+        Regex(""""(-X[\w=-]+)"""").findAll(rootScript).forEach { add(it.groupValues[1]) }
         if ("allWarningsAsErrors.set(true)" in rootScript) add("-Werror")
         if ("explicitApi()" in script(module)) add("-Xexplicit-api=strict")
     }
