@@ -2,7 +2,7 @@ package org.trigrid.reliability
 
 import org.trigrid.MeshGenerator
 import org.trigrid.MeshOptions
-import org.trigrid.Sizes
+import org.trigrid.spacing.Sizes
 import org.trigrid.diagnostics.ProgressMonitor
 import org.trigrid.diagnostics.Stage
 import org.trigrid.domain.Domain
