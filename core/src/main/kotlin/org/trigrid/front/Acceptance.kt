@@ -18,6 +18,10 @@ internal class Acceptance(private val mesh: MutableMesh, private val front: Fron
     private var b = 0
     private var base = 0
 
+    /** The edge in the way of the last element that was not clear. */
+    var blocker = -1
+        private set
+
     /** Sets the base edge of the tests that follow. */
     fun base(edge: Int) {
         base = edge
@@ -46,6 +50,7 @@ internal class Acceptance(private val mesh: MutableMesh, private val front: Fron
         for (i in 0 until nearCount) {
             val edge = near[i]
             if (edge == base) continue
+            blocker = edge
             val u = front.origin[edge]
             val v = front.origin[front.next[edge]]
             val ux = xy[2 * u]

@@ -6,9 +6,8 @@ import org.trigrid.mesh.MutableMesh
  * The way out for an edge that no candidate fits: the front node that it sees under the largest angle.
  *
  * Every edge of a valid region has at least one front node with which it makes an empty triangle; the one seen under
- * the largest angle makes the constrained Delaunay triangle. Taking any of them adds no node and leaves strictly less
- * to mesh, so the front always comes to its end; the largest angle is looked for as far as [WIDEST] times the distance
- * at which the first one was found.
+ * the largest angle makes the constrained Delaunay triangle. Taking it adds no node and leaves strictly less to mesh,
+ * so the front always comes to its end.
  */
 internal class VisibleNode(
     private val mesh: MutableMesh,
@@ -18,6 +17,10 @@ internal class VisibleNode(
     private val extent: Double,
 ) {
     private val candidates = CandidateList()
+
+    /** Edges that hid the candidates before, which mostly hide the next one too. */
+    private val blockers = IntArray(BLOCKERS)
+    private var blockerCount = 0
 
     /** Corner for [edge], which must be the base edge of the acceptance tests. */
     fun find(edge: Int): Int {
@@ -31,36 +34,39 @@ internal class VisibleNode(
         val mx = 0.5 * (ax + bx)
         val my = 0.5 * (ay + by)
         val length = Math.hypot(bx - ax, by - ay)
+        blockerCount = 0
         var reach = 2 * length
         while (true) {
             val whole = reach > 4 * extent
             gather(edge, mx, my, reach, ax, ay, bx, by)
-            while (true) {
-                val corner = candidates.takeBest()
-                if (corner == CandidateList.EMPTY) break
+            val corner = firstClear()
+            // Nodes seen under a larger angle may lie in the rest of the circle. It is not searched at once: it may be as large
+            // as the domain, and a little farther on there may be a node that makes it small.
+            if (corner >= 0) {
                 val q = front.origin[corner]
-                if (!acceptance.seesBase(corner) || !acceptance.isClear(q, xy[2 * q], xy[2 * q + 1])) continue
-                val wanted = circleReach(ax, ay, bx, by, xy[2 * q], xy[2 * q + 1])
-                if (whole || wanted <= reach) return corner
-                // Nodes seen under a larger angle may lie in the rest of the circle. The circle of a flat triangle may hold
-                // the whole front; any visible node will do then.
-                reach = Math.min(wanted, WIDEST * reach)
-                gather(edge, mx, my, reach, ax, ay, bx, by)
-                return firstClear() ?: corner
+                if (whole || circleReach(ax, ay, bx, by, xy[2 * q], xy[2 * q + 1]) <= reach) return corner
             }
             check(!whole) { "no front node is visible from the edge ($ax, $ay) - ($bx, $by)" }
             reach *= 4
         }
     }
 
-    private fun firstClear(): Int? {
-        val xy = mesh.xy
+    /** The candidate seen under the largest angle that nothing hides, or -1. */
+    private fun firstClear(): Int {
         while (true) {
             val corner = candidates.takeBest()
-            if (corner == CandidateList.EMPTY) return null
-            val q = front.origin[corner]
-            if (acceptance.seesBase(corner) && acceptance.isClear(q, xy[2 * q], xy[2 * q + 1])) return corner
+            if (corner == CandidateList.EMPTY) return -1
+            if (acceptance.seesBase(corner) && isClear(front.origin[corner])) return corner
         }
+    }
+
+    private fun isClear(q: Int): Boolean {
+        val x = mesh.xy[2 * q]
+        val y = mesh.xy[2 * q + 1]
+        if (!acceptance.isClear(q, x, y, blockers, Math.min(blockerCount, BLOCKERS))) return false
+        if (acceptance.isClear(q, x, y)) return true
+        blockers[blockerCount++ % BLOCKERS] = acceptance.blocker
+        return false
     }
 
     private fun gather(edge: Int, mx: Double, my: Double, reach: Double, ax: Double, ay: Double, bx: Double, by: Double) {
@@ -98,6 +104,6 @@ internal class VisibleNode(
     }
 
     private companion object {
-        const val WIDEST = 4.0
+        const val BLOCKERS = 16
     }
 }

@@ -15,7 +15,8 @@ internal object HostileDomains {
     val families: List<Family> = listOf(
         Family("needle fan") { needleFan(it) },
         Family("tiny gap") { tinyGap(it) },
-        Family("step of a million", every = 8) { stepOfAMillion(it) },
+        Family("step of a million", every = 2) { stepOfAMillion(it, 1) },
+        Family("steps of a million", every = 50) { stepOfAMillion(it, 2 + it.nextInt(2)) },
         Family("thousands of holes", every = 200) { manyHoles(it, 1000 + it.nextInt(9001)) },
         Family("hundreds of holes", every = 20) { manyHoles(it, 100 + it.nextInt(900)) },
         Family("several components") { components(it) },
@@ -84,16 +85,16 @@ internal object HostileDomains {
         return builder.hole(if (r.nextBoolean()) hole else subdivided(hole, 1 + r.nextInt(20))).build()
     }
 
-    /** Holes, or stretches of the boundary, a million times finer than the rest. */
-    private fun stepOfAMillion(r: Random): Domain {
+    /** Holes a million times finer than the rest; the smooth sizes between several of them ask for more than can be made. */
+    private fun stepOfAMillion(r: Random, holes: Int): Domain {
         val fine = power(r, -7.0, -5.0)
         val outer = subdivided(square(0.0, 0.0, 1.0), 1 + r.nextInt(3))
         val builder = Domain.builder().outer(outer)
-        for (k in 0..r.nextInt(3)) {
+        for (k in 0 until holes) {
             val hole = star(r, 3 + r.nextInt(12), 0.2, 1)
             builder.hole(placed(hole, 0.25 + 0.25 * k, 0.3 + 0.4 * r.nextDouble(), fine * (1 + 9 * r.nextDouble())))
         }
-        if (r.nextBoolean()) builder.embed(doubleArrayOf(0.1, 0.1, 0.1 + fine, 0.1 + fine, 0.12, 0.1), "line")
+        if (holes > 1 && r.nextBoolean()) builder.embed(doubleArrayOf(0.1, 0.1, 0.1 + fine, 0.1 + fine, 0.12, 0.1), "line")
         return builder.build()
     }
 
