@@ -17,14 +17,14 @@ import org.trigrid.numbering.NumberingMetrics
 import org.trigrid.quality.QualityReport
 import org.trigrid.spacing.ConstrainedDelaunay
 import org.trigrid.spacing.SizeFields
-import java.util.Locale
 
 /**
  * Makes meshes: checks the domain, finds the sizes, advances the front, improves the mesh and renumbers its nodes.
  *
  * Guarantee: every valid domain gets a valid mesh, in which each given node and segment stands exactly as given and no
  * other node lies on the boundary. The same input gives the same mesh, to the last bit, on every machine.
- * Exception: a domain whose sizes ask for more elements than [MeshOptions.maxElements] is refused before meshing.
+ * Exception: a domain whose sizes ask for more elements than [MeshOptions.maxElements], or than Java's heap can hold, is
+ * refused before meshing.
  *
  * Stateless and free to be called by several threads at once.
  */
@@ -40,7 +40,7 @@ public object MeshGenerator {
     /**
      * @param monitor hears of the progress and may cancel.
      * @throws InvalidDomainException if the domain has faults; carries all of them with their places.
-     * @throws TooManyElementsException if the sizes ask for more elements than the options allow.
+     * @throws TooManyElementsException if the sizes ask for more elements than the options, or Java's heap, allow.
      * @throws MeshingCancelledException if the monitor cancels.
      */
     @JvmStatic
@@ -54,7 +54,8 @@ public object MeshGenerator {
         val triangulation = ConstrainedDelaunay.of(domain)
         val sizes = SizeFields.create(domain, options.sizeRules(), triangulation)
         val expected = SizeFields.estimateElements(triangulation, sizes)
-        if (expected > options.maxElements) throw TooManyElementsException(tooMany(expected, options))
+        val refusal = WorkLimit(expected, domain.nodeCount).refusal(options.maxElements, Runtime.getRuntime().maxMemory())
+        if (refusal != null) throw TooManyElementsException(refusal)
 
         run.begin(Stage.FRONT)
         val raw = FrontMesher.mesh(domain, sizes, options.strategy, expected, run)
@@ -82,13 +83,4 @@ public object MeshGenerator {
 
     private fun renumber(mesh: TriMesh, method: NumberingMethod): TriMesh =
         if (method == NumberingMethod.NONE) mesh else Numbering.renumber(mesh, method)
-
-    private fun tooMany(expected: Double, options: MeshOptions): String {
-        val megabytes = expected * BYTES_PER_ELEMENT / 1e6
-        return "this domain needs about %.3g elements and %.0f MB, the limit is %d elements; raise maxElements or the sizes"
-            .format(Locale.ROOT, expected, megabytes, options.maxElements)
-    }
-
-    /** Peak memory of the mesher for each element, measured; rounded up. */
-    private const val BYTES_PER_ELEMENT = 200.0
 }

@@ -37,6 +37,12 @@ internal class MeshingArguments {
     )
     var strategy: Strategy? = null
 
+    @Option(
+        names = ["--max-elements"], paramLabel = "N",
+        description = ["Make no mesh of more elements, which is told before meshing, > 0. Default: 20000000."],
+    )
+    var maxElements: Int? = null
+
     @Option(names = ["--no-improve"], description = ["Leave the elements as the front made them."])
     var noImprove: Boolean = false
 
@@ -51,6 +57,7 @@ internal class MeshingArguments {
         minSize?.let { builder.minSize(it) }
         maxSize?.let { builder.maxSize(it) }
         strategy?.let { builder.strategy(it) }
+        maxElements?.let { builder.maxElements(it) }
         if (noImprove) builder.improve(false)
         if (noRenumber) builder.numbering(NumberingMethod.NONE)
         builder.build()

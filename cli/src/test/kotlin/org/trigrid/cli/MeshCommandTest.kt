@@ -45,6 +45,15 @@ class MeshCommandTest {
     }
 
     @Test
+    fun `more elements than allowed are refused before meshing, with how many and how much memory`() {
+        val outcome = Outcome.of("mesh", Samples.lake, "-o", output, "--max-elements", "50")
+        assertEquals(ExitCodes.INVALID_DOMAIN, outcome.code)
+        assertTrue(outcome.err.contains("elements and") && outcome.err.contains("--max-elements"), outcome.err)
+        assertEquals(emptyList<String>(), folder.listDirectoryEntries().map { it.name })
+        assertEquals(ExitCodes.USAGE, Outcome.of("mesh", Samples.lake, "-o", output, "--max-elements", "0").code)
+    }
+
+    @Test
     fun `the report on standard output stands alone and agrees with the mesh`() {
         val outcome = Outcome.of("mesh", Samples.lake, "-o", output, "--report", "-")
         assertEquals(ExitCodes.DONE, outcome.code, outcome.err)

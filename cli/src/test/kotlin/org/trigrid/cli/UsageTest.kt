@@ -31,7 +31,7 @@ class UsageTest {
         val help = Outcome.of("mesh", "--help").out
         val options = listOf(
             "--output", "--format", "--spacing", "--ratio", "--keep-connectors", "--sizes", "--gradation", "--min-size",
-            "--max-size", "--strategy", "--no-improve", "--no-renumber", "--report", "--picture",
+            "--max-size", "--strategy", "--max-elements", "--no-improve", "--no-renumber", "--report", "--picture",
         )
         for (option in options) assertTrue(option in help, option)
     }

@@ -36,6 +36,7 @@ public object DomainFormats {
     /** UTF-8, without the byte order mark that some editors put first. */
     @Throws(IOException::class)
     internal fun textOf(file: Path): String = try {
+        ReadingMemory.check(file, ReadingMemory.TEXT)
         Files.readString(file).removePrefix("\uFEFF")
     } catch (e: CharacterCodingException) {
         throw FileFormatException(file.toString(), 0, 0, "not a text file in UTF-8", e)

@@ -33,7 +33,9 @@ internal class JsonDocument(private val text: String, private val source: String
     /** Before parsing, as a tree of any depth is more than its later use could bear. */
     private fun checkWalk(uniqueKeys: Boolean) {
         val walk = JsonWalk(text)
+        var values = 0L
         while (walk.next()) {
+            values++
             if (walk.depth > MAX_DEPTH) {
                 throw TextPlace.exception(source, text, walk.valueAt, "more than $MAX_DEPTH brackets in one another")
             }
@@ -41,6 +43,7 @@ internal class JsonDocument(private val text: String, private val source: String
                 throw TextPlace.exception(source, text, walk.keyAt, "key \"${walk.key}\" stands twice in one object")
             }
         }
+        ReadingMemory.check(source, text.length, ReadingMemory.TEXT * text.length + ReadingMemory.JSON_VALUE * values)
     }
 
     @OptIn(ExperimentalSerializationApi::class)

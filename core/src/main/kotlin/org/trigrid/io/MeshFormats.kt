@@ -40,5 +40,8 @@ public object MeshFormats {
      */
     @JvmStatic
     @Throws(IOException::class)
-    public fun read(path: Path): TriMesh = MshReader.read(Files.readAllBytes(path), path.toString())
+    public fun read(path: Path): TriMesh {
+        ReadingMemory.check(path, ReadingMemory.MSH)
+        return MshReader.read(Files.readAllBytes(path), path.toString())
+    }
 }

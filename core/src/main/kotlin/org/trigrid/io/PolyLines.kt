@@ -4,7 +4,7 @@ import org.trigrid.diagnostics.FileFormatException
 
 /** The lines of a file of Triangle's, split into fields; empty lines, and what follows a `#`, do not count. */
 internal class PolyLines(private val source: String, text: String) {
-    private val lines = text.lines()
+    private val lines = linesOf(text)
     private var line = -1
 
     /** Where the fields of the line start and end, two for each. */
@@ -12,6 +12,11 @@ internal class PolyLines(private val source: String, text: String) {
 
     var fieldCount: Int = 0
         private set
+
+    private fun linesOf(text: String): List<String> {
+        ReadingMemory.check(source, text.length, ReadingMemory.POLY * text.length)
+        return text.lines()
+    }
 
     fun hasNext(): Boolean = (line + 1 until lines.size).any { split(lines[it]) > 0 }
 

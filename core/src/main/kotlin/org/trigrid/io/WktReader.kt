@@ -18,6 +18,7 @@ internal class WktReader private constructor(private val text: String, private v
     private val polygons = ArrayList<Polygon>()
 
     private fun read(baseName: String): List<NamedDomain> {
+        ReadingMemory.check(source, text.length, ReadingMemory.WKT * text.length)
         var from = 0
         while (true) {
             from = skipBetween(from)

@@ -16,7 +16,7 @@ import java.util.concurrent.Executors
 
 /** The same input gives the same bytes; the same outline, told in another way, much the same mesh. */
 class DeterminismTest {
-    private val families = RandomDomains.families.filter { it.every < 10 }
+    private val families = RandomDomains.families.filter { it.every == 1 }
 
     @Test
     fun `two runs and two threads give the same files`() {
