@@ -1,6 +1,7 @@
 package org.trigrid.improve
 
 import org.trigrid.improve.Connectivity.Companion.next
+import org.trigrid.improve.Connectivity.Companion.next
 import org.trigrid.improve.Connectivity.Companion.previous
 import org.trigrid.quality.TriangleQuality
 
@@ -20,12 +21,20 @@ internal class Flipper(
 
     /** Looks at all edges and at those that flips change. */
     fun runAll() {
-        pushAll()
+        changes.clear(Changes.FLIPS)
+        for (h in 3 * mesh.elementCount - 1 downTo 0) if (mesh.elements[h - h % 3] >= 0 && mesh.twins[h] > h) push(h)
         run()
     }
 
-    private fun pushAll() {
-        for (h in 3 * mesh.elementCount - 1 downTo 0) if (mesh.elements[h - h % 3] >= 0 && mesh.twins[h] > h) push(h)
+    /** Looks at the edges of all elements around which something has changed since the last look. */
+    fun runChanged() {
+        var due = 0
+        for (n in 0 until mesh.nodeCount) if (changes.has(n, Changes.FLIPS)) due++
+        if (2 * due > mesh.nodeCount) return runAll()
+        for (n in mesh.nodeCount - 1 downTo 0) {
+            if (connectivity.outgoing[n] >= 0 && changes.take(n, Changes.FLIPS)) pushStar(n)
+        }
+        run()
     }
 
     /** Adds the edges of the element of [h]. */
@@ -36,7 +45,7 @@ internal class Flipper(
         push(t + 2)
     }
 
-    /** Adds all edges of the elements around a free node. */
+    /** Adds all edges of the elements around a node. */
     fun pushStar(node: Int) {
         val first = connectivity.outgoing[node]
         var h = first
@@ -44,6 +53,13 @@ internal class Flipper(
             pushElement(h)
             h = mesh.twins[previous(h)]
         } while (h != first && h >= 0)
+        if (h == first) return
+        // At the boundary the fan goes on to the other side of where the turn began.
+        h = mesh.twins[first]
+        while (h >= 0) {
+            pushElement(h)
+            h = mesh.twins[next(h)]
+        }
     }
 
     /** Works the list off. */

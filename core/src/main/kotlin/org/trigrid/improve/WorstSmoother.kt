@@ -54,7 +54,7 @@ internal class WorstSmoother(
             mesh.xy[2 * n + 1] = star.y
             val least = 0.5 * tolerance * mesh.sizes[n]
             if (dx * dx + dy * dy <= least * least) continue
-            changes.touch(n, Changes.WORST)
+            changes.touch(n, Changes.WORST or Changes.FLIPS)
             for (i in 0 until star.count) changes.touch(star.ring[i], Changes.WORST)
         }
     }
