@@ -63,7 +63,7 @@ internal class WorstSmoother(
         const val SWEEPS = 6
 
         /** Elements below this are to be mended; stars above [FAIR] are left alone. */
-        const val BAD = 0.85
-        const val FAIR = 0.95
+        const val BAD = 0.9
+        const val FAIR = 0.96
     }
 }
