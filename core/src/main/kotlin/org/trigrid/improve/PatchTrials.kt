@@ -46,6 +46,7 @@ internal class PatchTrials(
         val d = mesh.elements[previous(g)]
         val gain = ideal.flipGain(connectivity.valence, a, b, c, d)
         if (gain < LEAST_GAIN) return
+        if (gain < WELCOME && squaredLength(c, d) > longestTurned(gain) * squaredLength(a, b)) return
         if (!(changes.isDue(a) || changes.isDue(b) || changes.isDue(c) || changes.isDue(d))) return
         if (gain < NEUTRAL && Math.min(quality(a, b, c), quality(b, a, d)) > GOOD) return
         if (wouldStarve(a) || wouldStarve(b) || mesh.isEmbedded(a, b)) return
@@ -57,6 +58,19 @@ internal class PatchTrials(
         if (isBetter(before, least, h / 3, g / 3, NONE, HOPELESS_FLIP)) return
         connectivity.flip(next(h))
         patch.restore()
+    }
+
+    /** The squared length of the turned edge over that of the edge above which a flip has hardly ever been kept. */
+    private fun longestTurned(gain: Double): Double = when {
+        gain < RAISING -> 1.5
+        gain < NEUTRAL -> 1.85
+        else -> 2.12
+    }
+
+    private fun squaredLength(a: Int, b: Int): Double {
+        val dx = mesh.xy[2 * b] - mesh.xy[2 * a]
+        val dy = mesh.xy[2 * b + 1] - mesh.xy[2 * a + 1]
+        return dx * dx + dy * dy
     }
 
     /** Whether a free node that loses an element would have 3, or a fixed one none. */
@@ -156,7 +170,9 @@ internal class PatchTrials(
 
         /** Flips that raise the squared deviations by 2 are tried too, but only at elements below [GOOD]. */
         const val LEAST_GAIN = -2.01
-        const val NEUTRAL = -1.01
+        const val NEUTRAL = -0.51
+        const val RAISING = -1.51
+        const val WELCOME = 1.51
         const val GOOD = 0.9
 
         /** Elements below this before smoothing are not worth a trial. */
