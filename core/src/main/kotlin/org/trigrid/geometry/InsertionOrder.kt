@@ -18,11 +18,14 @@ internal object InsertionOrder {
 
     /** Point numbers along a Hilbert curve (Hilbert 1891, Math. Ann. 38:459-460) over the square round all points. */
     @JvmStatic
-    fun alongCurve(xy: DoubleArray): IntArray = alongCurve(xy, xy.size / 2)
+    fun alongCurve(xy: DoubleArray): IntArray = alongCurve(xy, xy.size / 2, BITS)
 
-    /** As the other, of the first [count] points. */
+    /**
+     * As the other, of the first [count] points; those of one cell of a grid of `2^bits` cells each way, [bits] being 13 or
+     * 26, keep their order.
+     */
     @JvmStatic
-    fun alongCurve(xy: DoubleArray, count: Int): IntArray {
+    fun alongCurve(xy: DoubleArray, count: Int, bits: Int): IntArray {
         var minX = Double.POSITIVE_INFINITY
         var minY = Double.POSITIVE_INFINITY
         var maxX = Double.NEGATIVE_INFINITY
@@ -35,19 +38,19 @@ internal object InsertionOrder {
         }
         // Halves, as the whole extent of finite points may be beyond the range of doubles.
         val extent = Math.max(maxX / 2 - minX / 2, maxY / 2 - minY / 2)
-        val scale = if (extent > 0) ((1 shl BITS) - 1) / extent else 0.0
+        val scale = if (extent > 0) ((1 shl bits) - 1) / extent else 0.0
         val keys = LongArray(count) { i ->
-            curvePosition(((xy[2 * i] / 2 - minX / 2) * scale).toInt(), ((xy[2 * i + 1] / 2 - minY / 2) * scale).toInt())
+            curvePosition(((xy[2 * i] / 2 - minX / 2) * scale).toInt(), ((xy[2 * i + 1] / 2 - minY / 2) * scale).toInt(), bits)
         }
-        return sortedByKey(keys)
+        return sortedByKey(keys, bits)
     }
 
-    private fun curvePosition(cellX: Int, cellY: Int): Long {
-        val mask = (1 shl BITS) - 1
+    private fun curvePosition(cellX: Int, cellY: Int, bits: Int): Long {
+        val mask = (1 shl bits) - 1
         var x = cellX
         var y = cellY
         var position = 0L
-        for (bit in BITS - 1 downTo 0) {
+        for (bit in bits - 1 downTo 0) {
             val right = (x ushr bit) and 1
             val upper = (y ushr bit) and 1
             position = (position shl 2) or ((3 * right) xor upper).toLong()
@@ -65,11 +68,11 @@ internal object InsertionOrder {
     }
 
     /** Stable radix sort of the numbers 0..n-1 by their keys. */
-    private fun sortedByKey(keys: LongArray): IntArray {
+    private fun sortedByKey(keys: LongArray, bits: Int): IntArray {
         val digits = 1 shl DIGIT_BITS
         var order = IntArray(keys.size) { it }
         var spare = IntArray(keys.size)
-        for (shift in 0 until 2 * BITS step DIGIT_BITS) {
+        for (shift in 0 until 2 * bits step DIGIT_BITS) {
             val starts = IntArray(digits + 1)
             for (key in keys) starts[((key ushr shift) and (digits - 1L)).toInt() + 1]++
             for (d in 0 until digits) starts[d + 1] += starts[d]

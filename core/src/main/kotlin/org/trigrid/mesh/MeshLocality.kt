@@ -12,10 +12,12 @@ internal object MeshLocality {
     /** Below this number of elements a mesh fits the caches and keeps the order in which it was made. */
     const val LARGE: Int = 20_000
 
+    private const val CURVE_BITS = 13
+
     /** Orders free nodes along a Hilbert curve, after the fixed ones, and elements by the first of their nodes on it. */
     @JvmStatic
     fun arrange(mesh: MutableMesh) {
-        val curve = InsertionOrder.alongCurve(mesh.xy, mesh.nodeCount)
+        val curve = InsertionOrder.alongCurve(mesh.xy, mesh.nodeCount, CURVE_BITS)
         val rank = IntArray(mesh.nodeCount)
         for (i in curve.indices) rank[curve[i]] = i
         val newElement = elementPlaces(mesh, rank)

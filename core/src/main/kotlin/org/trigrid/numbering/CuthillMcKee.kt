@@ -25,6 +25,9 @@ internal class CuthillMcKee(private val graph: NodeGraph) {
     private val seenIn = IntArray(graph.nodeCount)
     private var sweep = 0
 
+    /** Where a root is in [order]; of other nodes anything. */
+    private val rootPlace = IntArray(graph.nodeCount)
+
     /**
      * Sweeps from the nodes `roots[from], roots[from + 1], …`, [count] of them, read round the end of the array.
      *
@@ -84,14 +87,14 @@ internal class CuthillMcKee(private val graph: NodeGraph) {
     /** Largest difference of places of two neighbouring roots. */
     private fun rootSpan(rootCount: Int): Int {
         if (rootCount < 2) return 0
-        val place = java.util.HashMap<Int, Int>(2 * rootCount)
-        for (i in 0 until rootCount) place[order[i]] = i
+        for (i in 0 until rootCount) rootPlace[order[i]] = i
         var widest = 0
         for (i in 0 until rootCount) {
             val node = order[i]
             for (k in graph.starts[node] until graph.starts[node + 1]) {
-                val j = place[graph.targets[k]] ?: continue
-                widest = maxOf(widest, j - i)
+                val target = graph.targets[k]
+                val j = rootPlace[target]
+                if (j < rootCount && order[j] == target) widest = maxOf(widest, j - i)
             }
         }
         return widest

@@ -188,7 +188,7 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
         /** Above this many nodes a likeness of at most [COARSE] nodes is searched first. */
         const val LARGE = 15_000
         const val COARSE = 6_000
-        const val COARSE_BUDGET = 5_000_000L
+        const val COARSE_BUDGET = 2_500_000L
         const val LARGE_STARTS = 3
 
         /** Changes of start and length, in steps. */

@@ -54,5 +54,5 @@ internal object Renumbering {
 
     /** Passes over a large graph allowed in a search, and the work that any graph may have, in entries read. */
     private const val PASSES = 10L
-    private const val SMALL_BUDGET = 6_000_000L
+    private const val SMALL_BUDGET = 2_000_000L
 }
