@@ -1,10 +1,12 @@
 package org.trigrid.domain
 
+import org.trigrid.diagnostics.Checkpoint
+
 /**
  * A domain made ready for checking: segments joined by place instead of by node number, those that cannot be tested
  * (not finite, or no length) set aside.
  */
-internal class CheckedDomain(val domain: Domain) {
+internal class CheckedDomain(val domain: Domain, val checkpoint: Checkpoint = Checkpoint.unheard()) {
     val xy: DoubleArray = domain.xy
 
     /** Per node: the lowest node at the same place; itself where a coordinate is not a number. */
@@ -14,7 +16,7 @@ internal class CheckedDomain(val domain: Domain) {
     val tested: IntArray = (0 until domain.segmentCount).filter { isTestable(it) }.toIntArray()
 
     /** 2 per tested segment: places of its start and end. */
-    val ends: IntArray = IntArray(2 * tested.size) { place[domain.segments[2 * tested[it / 2] + it % 2]] }
+    val ends: IntArray = IntArray(2 * tested.size) { checkpoint.pass(); place[domain.segments[2 * tested[it / 2] + it % 2]] }
 
     /** The tested segments up to here bound the domain, the others are embedded. */
     val boundaryCount: Int = tested.count { !domain.isEmbedded(it) }
@@ -23,7 +25,7 @@ internal class CheckedDomain(val domain: Domain) {
     val leaving: NodeSegments = NodeSegments.leaving(domain.nodeCount, ends.copyOf(2 * boundaryCount))
     val arriving: NodeSegments = NodeSegments.arriving(domain.nodeCount, ends.copyOf(2 * boundaryCount))
 
-    val tree: SegmentTree = SegmentTree(xy, ends)
+    val tree: SegmentTree = SegmentTree(xy, ends, checkpoint)
     val directions: Directions = Directions(xy)
 
     fun start(t: Int): Int = ends[2 * t]
@@ -47,6 +49,7 @@ internal class CheckedDomain(val domain: Domain) {
     fun nodeAtEnd(t: Int): Int = domain.segmentEnd(tested[t])
 
     private fun isTestable(s: Int): Boolean {
+        checkpoint.pass()
         val a = domain.segmentStart(s)
         val b = domain.segmentEnd(s)
         return isFinite(a) && isFinite(b) && place[a] != place[b]
@@ -56,6 +59,7 @@ internal class CheckedDomain(val domain: Domain) {
         val index = PlaceIndex(domain.nodeCount)
         val first = IntArray(domain.nodeCount)
         return IntArray(domain.nodeCount) { node ->
+            checkpoint.pass()
             val before = index.count
             val number = index.numberOf(xy[2 * node], xy[2 * node + 1])
             if (number == before) first[number] = node

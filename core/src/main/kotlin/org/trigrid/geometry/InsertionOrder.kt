@@ -1,5 +1,7 @@
 package org.trigrid.geometry
 
+import org.trigrid.diagnostics.Checkpoint
+
 /**
  * The order in which points are best inserted into a triangulation one by one: random rounds, each about twice as
  * large as the one before, along a Hilbert curve within each round, so that successive points are near each other
@@ -14,11 +16,11 @@ internal object InsertionOrder {
 
     /** @param xy x0, y0, x1, y1, …; finite; not modified. Returns a permutation of the point numbers. */
     @JvmStatic
-    fun of(xy: DoubleArray): IntArray = rounds(alongCurve(xy))
+    fun of(xy: DoubleArray, checkpoint: Checkpoint = Checkpoint.unheard()): IntArray = rounds(alongCurve(xy, checkpoint))
 
     /** Point numbers along a Hilbert curve (Hilbert 1891, Math. Ann. 38:459-460) over the square round all points. */
     @JvmStatic
-    fun alongCurve(xy: DoubleArray): IntArray {
+    fun alongCurve(xy: DoubleArray, checkpoint: Checkpoint = Checkpoint.unheard()): IntArray {
         val count = xy.size / 2
         var minX = Double.POSITIVE_INFINITY
         var minY = Double.POSITIVE_INFINITY
@@ -34,9 +36,10 @@ internal object InsertionOrder {
         val extent = Math.max(maxX / 2 - minX / 2, maxY / 2 - minY / 2)
         val scale = if (extent > 0) ((1 shl BITS) - 1) / extent else 0.0
         val keys = LongArray(count) { i ->
+            checkpoint.pass()
             curvePosition(((xy[2 * i] / 2 - minX / 2) * scale).toInt(), ((xy[2 * i + 1] / 2 - minY / 2) * scale).toInt())
         }
-        return sortedByKey(keys)
+        return sortedByKey(keys, checkpoint)
     }
 
     private fun curvePosition(cellX: Int, cellY: Int): Long {
@@ -62,11 +65,12 @@ internal object InsertionOrder {
     }
 
     /** Stable radix sort of the numbers 0..n-1 by their keys. */
-    private fun sortedByKey(keys: LongArray): IntArray {
+    private fun sortedByKey(keys: LongArray, checkpoint: Checkpoint): IntArray {
         val digits = 1 shl DIGIT_BITS
         var order = IntArray(keys.size) { it }
         var spare = IntArray(keys.size)
         for (shift in 0 until 2 * BITS step DIGIT_BITS) {
+            checkpoint.ask()
             val starts = IntArray(digits + 1)
             for (key in keys) starts[((key ushr shift) and (digits - 1L)).toInt() + 1]++
             for (d in 0 until digits) starts[d + 1] += starts[d]

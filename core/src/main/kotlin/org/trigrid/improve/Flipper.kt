@@ -19,13 +19,16 @@ internal class Flipper(
     var byQuality: Boolean = false
 
     /** Looks at all edges and at those that flips change. */
-    fun runAll() {
-        pushAll()
-        run()
+    fun runAll(progress: ImproveProgress) {
+        pushAll(progress)
+        run(progress)
     }
 
-    private fun pushAll() {
-        for (h in 3 * mesh.elementCount - 1 downTo 0) if (mesh.elements[h - h % 3] >= 0 && mesh.twins[h] > h) push(h)
+    private fun pushAll(progress: ImproveProgress) {
+        for (h in 3 * mesh.elementCount - 1 downTo 0) {
+            progress.pass()
+            if (mesh.elements[h - h % 3] >= 0 && mesh.twins[h] > h) push(h)
+        }
     }
 
     /** Adds the edges of the element of [h]. */
@@ -47,8 +50,9 @@ internal class Flipper(
     }
 
     /** Works the list off. */
-    fun run() {
+    fun run(progress: ImproveProgress) {
         while (height > 0) {
+            progress.pass()
             val h = stack[--height]
             waiting[h] = 0
             if (!connectivity.isAlive(h) || mesh.twins[h] < 0) continue

@@ -18,7 +18,7 @@ internal object MeshImprovement {
                 LaplacianSmoother(mesh, smoothingTolerance, isGuarded = true).run(report)
                 mesh.compact()
             }
-            Strategy.ROBUST -> MeshImprover(mesh, smoothingTolerance).run(report)
+            Strategy.ROBUST -> MeshImprover(mesh, smoothingTolerance, report).run()
         }
     }
 }

@@ -1,13 +1,15 @@
 package org.trigrid.mesh
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.domain.Domain
 
 /** Makes the immutable mesh of a finished [MutableMesh]. */
 internal object MeshFreezer {
     /** @param domain whose nodes are the mesh's first nodes; gives the tagged edges, the embedded ones last. */
-    fun freeze(mesh: MutableMesh, domain: Domain): TriMesh {
+    fun freeze(mesh: MutableMesh, domain: Domain, checkpoint: Checkpoint = Checkpoint.unheard()): TriMesh {
         val halfEdges = 3 * mesh.elementCount
         val neighbours = IntArray(halfEdges) {
+            checkpoint.pass()
             val twin = mesh.twins[it]
             if (twin < 0) TriMesh.NONE else twin / 3
         }

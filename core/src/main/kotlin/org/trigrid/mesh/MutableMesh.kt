@@ -79,8 +79,8 @@ internal class MutableMesh(
         if (b >= 0) twins[b] = a
     }
 
-    /** Removes dead elements and dead nodes; the order of the others is kept. */
-    fun compact() {
+    /** Removes dead elements and dead nodes; the order of the others is kept. Calls [pass] for each element. */
+    fun compact(pass: () -> Unit = {}) {
         val newNode = IntArray(nodeCount)
         var nodes = 0
         for (n in 0 until nodeCount) {
@@ -98,6 +98,7 @@ internal class MutableMesh(
         var count = 0
         for (t in 0 until elementCount) newElement[t] = if (elements[3 * t] < 0) -1 else count++
         for (t in 0 until elementCount) {
+            pass()
             val to = newElement[t]
             if (to < 0) continue
             for (k in 0..2) {

@@ -1,8 +1,10 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
+
 /** Finds the two ends of a long shortest path through a connected graph (George and Liu 1979, ACM TOMS 5:284-295). */
-internal class PseudoPeripheral(private val graph: NodeGraph) {
-    private val sweep = CuthillMcKee(graph)
+internal class PseudoPeripheral(private val graph: NodeGraph, checkpoint: Checkpoint = Checkpoint.unheard()) {
+    private val sweep = CuthillMcKee(graph, checkpoint)
 
     val work: Long get() = sweep.work
 

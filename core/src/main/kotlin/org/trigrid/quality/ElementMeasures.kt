@@ -1,9 +1,10 @@
 package org.trigrid.quality
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.mesh.TriMesh
 
 /** Quality and angles of every element of a mesh. */
-internal class ElementMeasures(val mesh: TriMesh) {
+internal class ElementMeasures(val mesh: TriMesh, val checkpoint: Checkpoint = Checkpoint.unheard()) {
     val elementCount: Int = mesh.elementCount
     val qualities: DoubleArray = DoubleArray(elementCount)
 
@@ -15,7 +16,10 @@ internal class ElementMeasures(val mesh: TriMesh) {
     val angleHistogram: IntArray = IntArray(ANGLE_CLASSES)
 
     init {
-        for (t in 0 until elementCount) measure(t)
+        for (t in 0 until elementCount) {
+            checkpoint.pass()
+            measure(t)
+        }
     }
 
     private fun measure(t: Int) {

@@ -1,5 +1,6 @@
 package org.trigrid.quality
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.mesh.TriMesh
 
 /**
@@ -67,21 +68,30 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
 
     /** The worst elements, worst first. */
     @get:JvmName("worstElements")
-    public val worstElements: List<WorstElement> = measures.worst(worstCount)
+    public val worstElements: List<WorstElement>
 
-    private val qualities = measures.qualityHistogram()
+    private val qualities: IntArray
     private val angles = measures.angleHistogram
-    private val smallAngles = intArrayOf(10, 20, 30).map { limit -> measures.minAngles.count { it < limit } }
+    private val smallAngles: List<Int>
 
     init {
-        val degrees = NodeDegrees.of(measures.mesh)
+        val checkpoint = measures.checkpoint
+        checkpoint.ask()
+        worstElements = measures.worst(worstCount)
+        qualities = measures.qualityHistogram()
+        checkpoint.ask()
+        smallAngles = intArrayOf(10, 20, 30).map { limit -> measures.minAngles.count { it < limit } }
+        checkpoint.ask()
+        val degrees = NodeDegrees.of(measures.mesh, checkpoint)
         interiorNodeCount = degrees.interiorNodeCount
         degree6 = degrees.share(6, 6)
         degree567 = degrees.share(5, 7)
         val none = elementCount == 0
         // From here on the arrays are reordered.
         quality05 = if (none) Double.NaN else Percentile.of(measures.qualities, 5.0)
+        checkpoint.ask()
         minAngle01 = if (none) Double.NaN else Percentile.of(measures.minAngles, 1.0)
+        checkpoint.ask()
         minAngle05 = if (none) Double.NaN else Percentile.of(measures.minAngles, 5.0)
     }
 
@@ -116,6 +126,9 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
             require(worstCount >= 0) { "worstCount must not be negative: $worstCount" }
             return QualityReport(ElementMeasures(mesh), worstCount)
         }
+
+        /** As [of], in a run that may be cancelled. */
+        internal fun of(mesh: TriMesh, checkpoint: Checkpoint): QualityReport = QualityReport(ElementMeasures(mesh, checkpoint), WORST)
     }
 }
 

@@ -6,6 +6,7 @@ import org.trigrid.spacing.Sizes
 import org.trigrid.diagnostics.ProgressMonitor
 import org.trigrid.diagnostics.Stage
 import org.trigrid.domain.Domain
+import java.lang.management.ManagementFactory
 import java.util.TreeMap
 
 /** Measures how long a run goes on without asking its monitor, and where: what it takes to cancel at the worst moment. */
@@ -14,6 +15,9 @@ internal object CancelGaps {
         @Volatile
         var last = System.nanoTime()
         private var before = 0.0
+        private val processor = ManagementFactory.getThreadMXBean()
+        private var lastCpu = processor.currentThreadCpuTime
+        val longestCpu = LongArray(Stage.entries.size)
         val longest = LongArray(Stage.entries.size)
         val calls = IntArray(Stage.entries.size)
         var fell = false
@@ -21,11 +25,19 @@ internal object CancelGaps {
         override fun update(stage: Stage, fraction: Double): Boolean {
             val now = System.nanoTime()
             longest[stage.ordinal] = Math.max(longest[stage.ordinal], now - last)
+            val cpu = processor.currentThreadCpuTime
+            longestCpu[stage.ordinal] = Math.max(longestCpu[stage.ordinal], cpu - lastCpu)
+            lastCpu = cpu
             calls[stage.ordinal]++
             fell = fell || fraction < before
             before = fraction
             last = System.nanoTime()
             return true
+        }
+
+        fun forget() {
+            last = System.nanoTime()
+            lastCpu = processor.currentThreadCpuTime
         }
     }
 
@@ -76,6 +88,7 @@ internal object CancelGaps {
             val samples = TreeMap<String, Int>()
             val watcher = Watcher(meter, Thread.currentThread(), samples)
             watcher.start()
+            meter.forget()
             val result = MeshGenerator.generate(domain, options.build(), meter)
             watcher.interrupt()
             watcher.join()
@@ -83,7 +96,7 @@ internal object CancelGaps {
             println("${report.nodeCount} nodes, ${report.elementCount} elements, ${report.totalSeconds} s; progress fell: ${meter.fell}")
             for (stage in Stage.entries) {
                 val longest = meter.longest[stage.ordinal] / 1_000_000
-                println("  $stage ${report.seconds(stage)} s, ${meter.calls[stage.ordinal]} calls, longest gap $longest ms")
+                println("  $stage ${report.seconds(stage)} s, ${meter.calls[stage.ordinal]} calls, longest gap $longest ms, ${meter.longestCpu[stage.ordinal] / 1_000_000} ms of the thread's own")
             }
             samples.entries.sortedByDescending { it.value }.take(40).forEach { println("    ${it.value} ${it.key}") }
         }
