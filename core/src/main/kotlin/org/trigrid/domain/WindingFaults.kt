@@ -108,6 +108,7 @@ internal class WindingFaults(
     private fun lowestLeftCorners(): IntArray {
         val corners = IntArray(checked.domain.nodeCount).also { it.fill(-1) }
         for (t in 0 until checked.boundaryCount) {
+            checked.checkpoint.pass()
             val place = checked.start(t)
             val part = parts.partOf(place)
             val corner = corners[part]

@@ -15,6 +15,6 @@ internal class FrontTicker(private val monitor: ProgressMonitor, private val exp
     }
 
     private companion object {
-        const val INTERVAL = 512
+        const val INTERVAL = 128
     }
 }

@@ -14,14 +14,14 @@ internal class ImproveProgress(private val report: (Double) -> Unit) {
         tell(from)
     }
 
-    /** Step [i] of [count] of the stage; reports every few thousand steps. */
+    /** Step [i] of [count] of the stage; reports every few hundred steps. */
     fun tick(i: Int, count: Int) {
-        if (i and MASK == 0 && i < count) tell(from + (to - from) * i / count)
+        if (i and TICK_MASK == 0 && i < count) tell(from + (to - from) * i / count)
     }
 
     /** A step of work whose share is not known; asks every few thousand steps whether to go on. */
     fun pass() {
-        if (++steps and MASK == 0) report(reached)
+        if (++steps and PASS_MASK == 0) report(reached)
     }
 
     private fun tell(part: Double) {
@@ -35,6 +35,7 @@ internal class ImproveProgress(private val report: (Double) -> Unit) {
     }
 
     private companion object {
-        const val MASK = 4095
+        const val TICK_MASK = 255
+        const val PASS_MASK = 4095
     }
 }

@@ -31,12 +31,16 @@ internal class CoarseGraph private constructor(
                 val next = IntArray(current.nodeCount)
                 val count = group(current, next, checkpoint)
                 if (count > current.nodeCount / 2) break
-                for (node in groups.indices) groups[node] = next[groups[node]]
+                for (node in groups.indices) {
+                    checkpoint.pass()
+                    groups[node] = next[groups[node]]
+                }
                 current = current.quotient(next, count, checkpoint)
             }
             val along = ArrayList<Int>()
             val places = ArrayList<Int>()
             for (i in boundary.indices) {
+                checkpoint.pass()
                 val g = groups[boundary[i]]
                 if (along.isNotEmpty() && along.last() == g) continue
                 along.add(g)

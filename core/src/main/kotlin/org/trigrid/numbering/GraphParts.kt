@@ -44,6 +44,7 @@ internal object GraphParts {
             }
         }
         bounds.add(tail)
+        checkpoint.ask()
         val boundaries = boundariesByPart(boundaryNodes, partOf, local, bounds.size - 1)
         return List(bounds.size - 1) { part ->
             val nodes = queue.copyOfRange(bounds[part], bounds[part + 1])
