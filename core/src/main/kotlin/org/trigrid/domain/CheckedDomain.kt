@@ -34,7 +34,16 @@ internal class CheckedDomain(val domain: Domain, val checkpoint: Checkpoint = Ch
 
     fun isEmbedded(t: Int): Boolean = t >= boundaryCount
 
-    fun isFinite(node: Int): Boolean = xy[2 * node].isFinite() && xy[2 * node + 1].isFinite()
+    /** Whether both coordinates are numbers that can be computed with. */
+    fun isFinite(node: Int): Boolean = Math.abs(xy[2 * node]) <= LARGEST && Math.abs(xy[2 * node + 1]) <= LARGEST
+
+    /** Whether the segment has no length, or one that cannot be computed with. */
+    fun isWithoutLength(s: Int): Boolean {
+        val a = domain.segmentStart(s)
+        val b = domain.segmentEnd(s)
+        return place[a] == place[b] ||
+            Math.abs(xy[2 * a] - xy[2 * b]) < SHORTEST && Math.abs(xy[2 * a + 1] - xy[2 * b + 1]) < SHORTEST
+    }
 
     fun isOnBoundary(place: Int): Boolean = leaving.countAt(place) + arriving.countAt(place) > 0
 
@@ -50,9 +59,7 @@ internal class CheckedDomain(val domain: Domain, val checkpoint: Checkpoint = Ch
 
     private fun isTestable(s: Int): Boolean {
         checkpoint.pass()
-        val a = domain.segmentStart(s)
-        val b = domain.segmentEnd(s)
-        return isFinite(a) && isFinite(b) && place[a] != place[b]
+        return isFinite(domain.segmentStart(s)) && isFinite(domain.segmentEnd(s)) && !isWithoutLength(s)
     }
 
     private fun places(): IntArray {
@@ -65,5 +72,11 @@ internal class CheckedDomain(val domain: Domain, val checkpoint: Checkpoint = Ch
             if (number == before) first[number] = node
             first[number]
         }
+    }
+
+    private companion object {
+        /** Products of four coordinates stay in the range of doubles, and so do their squares' reciprocals. */
+        const val LARGEST = 1e60
+        const val SHORTEST = 1e-60
     }
 }

@@ -59,7 +59,8 @@ public object DomainCheck {
             val first = checked.place[node]
             if (!checked.isFinite(node)) {
                 faults.add(FaultKind.NOT_A_NUMBER, xy[2 * node], xy[2 * node + 1], intArrayOf(node)) {
-                    "node ${checked.nodeText(node)} has a coordinate that is not a number"
+                    val isNumber = xy[2 * node].isFinite() && xy[2 * node + 1].isFinite()
+                    "node ${checked.nodeText(node)} has a coordinate that is " + if (isNumber) "beyond 1e60" else "not a number"
                 }
             } else if (first != node) {
                 faults.add(FaultKind.DUPLICATE_NODE, xy[2 * node], xy[2 * node + 1], intArrayOf(first, node)) {
@@ -75,9 +76,10 @@ public object DomainCheck {
             checked.checkpoint.pass()
             val a = domain.segmentStart(s)
             val b = domain.segmentEnd(s)
-            if (checked.place[a] != checked.place[b]) continue
+            if (!checked.isWithoutLength(s)) continue
             faults.add(FaultKind.ZERO_LENGTH, domain.x(a), domain.y(a), intArrayOf(a, b)) {
-                "segment $a-$b at (${domain.x(a)}, ${domain.y(a)}) has no length"
+                val what = if (checked.place[a] == checked.place[b]) "has no length" else "is shorter than 1e-60"
+                "segment $a-$b at (${domain.x(a)}, ${domain.y(a)}) $what"
             }
         }
     }
