@@ -153,7 +153,7 @@ internal class ElementEstimate(
 
         /** In squared sizes: a piece of about one element is not worth dividing. */
         const val SMALL = 0.5
-        const val EVEN = 1.4
+        const val EVEN = 2.0
 
         /** Pieces that may be divided: many in few triangles, or some in each of many. */
         const val MAX_PIECES = 1_000_000L

@@ -20,13 +20,13 @@ internal class MarkdownTable(private vararg val heading: String) {
     private fun StringBuilder.line(cells: List<String>) = append(cells.joinToString(" | ", "| ", " |\n"))
 
     companion object {
-        /** A number of so many [decimals], or a dash for NaN. */
+        /** A number of so many [decimals], or a dash for NaN and infinity. */
         fun number(value: Double, decimals: Int): String =
-            if (value.isNaN()) "–" else "%,.${decimals}f".format(Locale.ROOT, value)
+            if (!value.isFinite()) "–" else "%,.${decimals}f".format(Locale.ROOT, value)
 
         /** A number of three significant digits. */
         fun rounded(value: Double): String = when {
-            value.isNaN() -> "–"
+            !value.isFinite() -> "–"
             value >= 100 -> number(value, 0)
             value >= 10 -> number(value, 1)
             value >= 1 -> number(value, 2)

@@ -59,12 +59,12 @@ internal class SpeedTables(private val cases: List<SpeedCase>, private val peers
         return rounded(10 * (case.least / case.elements) / (smaller.least / smaller.elements))
     }
 
-    private fun rate(value: Double) = if (value.isNaN()) "–" else number(value / 1000, 0) + " k"
+    private fun rate(value: Double) = if (!value.isFinite()) "–" else number(value / 1000, 0) + " k"
 
     private companion object {
         val TIMES_HEADING = """
             CPU seconds of the meshing thread, validation to renumbering: the least and the median of the runs. *process*: those of
-            the whole process, with collector and compiler. *growth*: seconds for ten times as many elements over seconds.
+            the whole process, with collector and compiler, in steps of 10 ms. *growth*: seconds for ten times as many elements over seconds.
             """.trimIndent() + "\n"
         const val STAGES_HEADING = "Nanoseconds of CPU an element by stage (medians):\n"
         const val COMPARISON_HEADING =
