@@ -23,7 +23,16 @@ internal class CheckedDomain(val domain: Domain, val checkpoint: Checkpoint = Ch
 
     /** Tested boundary segments that start, and that end, in each place. */
     val leaving: NodeSegments = NodeSegments.leaving(domain.nodeCount, ends.copyOf(2 * boundaryCount))
+
+    init {
+        checkpoint.ask()
+    }
+
     val arriving: NodeSegments = NodeSegments.arriving(domain.nodeCount, ends.copyOf(2 * boundaryCount))
+
+    init {
+        checkpoint.ask()
+    }
 
     val tree: SegmentTree = SegmentTree(xy, ends, checkpoint)
     val directions: Directions = Directions(xy)

@@ -142,6 +142,7 @@ internal class SegmentTree(
     private fun hilbertOrder(): IntArray {
         val middles = DoubleArray(2 * count)
         for (i in middles.indices) {
+            checkpoint.pass()
             val segment = i and -2
             middles[i] = xy[2 * segments[segment] + (i and 1)] / 2 + xy[2 * segments[segment + 1] + (i and 1)] / 2
         }

@@ -52,11 +52,17 @@ internal class FrontBuilder(
 
     private fun linkLoops(ends: IntArray) {
         val start = IntArray(domain.nodeCount + 1)
-        for (edge in ends.indices) start[front.origin[edge] + 1]++
+        for (edge in ends.indices) {
+            checkpoint.pass()
+            start[front.origin[edge] + 1]++
+        }
         for (node in 0 until domain.nodeCount) start[node + 1] += start[node]
         val leaving = IntArray(ends.size)
         val at = start.copyOf()
-        for (edge in ends.indices) leaving[at[front.origin[edge]]++] = edge
+        for (edge in ends.indices) {
+            checkpoint.pass()
+            leaving[at[front.origin[edge]]++] = edge
+        }
         for (edge in ends.indices) {
             checkpoint.pass()
             val node = ends[edge]

@@ -13,11 +13,13 @@ internal object MeshFreezer {
             val twin = mesh.twins[it]
             if (twin < 0) TriMesh.NONE else twin / 3
         }
+        val kinds = TriMeshFactory.kinds(mesh.nodeCount, domain.segments, domain.boundaryCount)
+        checkpoint.ask()
         return TriMesh(
             mesh.xy.copyOf(2 * mesh.nodeCount),
             mesh.elements.copyOf(halfEdges),
             neighbours,
-            TriMeshFactory.kinds(mesh.nodeCount, domain.segments, domain.boundaryCount),
+            kinds,
             domain.segments.copyOf(),
             domain.segmentTags.copyOf(),
             domain.boundaryCount,

@@ -31,6 +31,7 @@ public class NodeGraph private constructor(
     internal fun relabelled(order: IntArray, newNumbers: IntArray, checkpoint: Checkpoint): NodeGraph {
         val newStarts = IntArray(order.size + 1)
         for (i in order.indices) newStarts[i + 1] = newStarts[i] + degree(order[i])
+        checkpoint.ask()
         val newTargets = IntArray(newStarts[order.size])
         var at = 0
         for (old in order) {

@@ -14,7 +14,7 @@ public object Numbering {
         permutation(mesh, method, Checkpoint.unheard())
 
     private fun permutation(mesh: TriMesh, method: NumberingMethod, checkpoint: Checkpoint): Permutation =
-        Renumbering.order(NodeGraph.of(mesh, checkpoint), Renumbering.boundaryWalks(mesh), method, checkpoint)
+        Renumbering.order(NodeGraph.of(mesh, checkpoint), Renumbering.boundaryWalks(mesh, checkpoint), method, checkpoint)
 
     /** [mesh] with its nodes renumbered and its elements in the order of their nodes. */
     @JvmStatic

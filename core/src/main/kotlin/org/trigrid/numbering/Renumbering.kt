@@ -38,12 +38,13 @@ internal object Renumbering {
     }
 
     /** The boundary nodes of a mesh, walk after walk; where walks touch, a node occurs once. */
-    fun boundaryWalks(mesh: TriMesh): IntArray {
+    fun boundaryWalks(mesh: TriMesh, checkpoint: Checkpoint = Checkpoint.unheard()): IntArray {
         val next = IntArray(mesh.nodeCount) { TriMesh.NONE }
         for (e in 0 until mesh.boundaryEdgeCount) next[mesh.edgeStart(e)] = mesh.edgeEnd(e)
         val walks = IntArray(mesh.boundaryEdgeCount)
         var count = 0
         for (e in 0 until mesh.boundaryEdgeCount) {
+            checkpoint.pass()
             var node = mesh.edgeStart(e)
             while (next[node] >= 0) {
                 walks[count++] = node

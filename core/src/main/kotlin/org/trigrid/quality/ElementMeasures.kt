@@ -20,6 +20,7 @@ internal class ElementMeasures(val mesh: TriMesh, val checkpoint: Checkpoint = C
             checkpoint.pass()
             measure(t)
         }
+        checkpoint.ask()
     }
 
     private fun measure(t: Int) {

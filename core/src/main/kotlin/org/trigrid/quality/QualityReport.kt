@@ -30,6 +30,10 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
     @get:JvmName("shareBelowHalf")
     public val shareBelowHalf: Double = measures.qualities.count { it < 0.5 } / elementCount.toDouble()
 
+    init {
+        measures.checkpoint.ask()
+    }
+
     /** Smallest angle of all elements, in degrees. */
     @get:JvmName("minAngle")
     public val minAngle: Double = measures.minAngles.minOrNaN()
@@ -45,6 +49,10 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
     /** Mean over the elements of their smallest angle. */
     @get:JvmName("meanMinAngle")
     public val meanMinAngle: Double = measures.minAngles.compensatedMean()
+
+    init {
+        measures.checkpoint.ask()
+    }
 
     /** Largest angle of all elements, in degrees. */
     @get:JvmName("maxAngle")
