@@ -38,6 +38,7 @@ internal class ConstrainedDelaunay private constructor(
          *   has passed the check has none.
          */
         @JvmStatic
+        @JvmOverloads
         fun of(domain: Domain, checkpoint: Checkpoint = Checkpoint.unheard()): ConstrainedDelaunay {
             val builder = DelaunayBuilder(domain.xy, checkpoint)
             builder.insertAll()

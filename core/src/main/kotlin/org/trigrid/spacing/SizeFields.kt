@@ -8,6 +8,7 @@ import org.trigrid.geometry.IntList
 internal object SizeFields {
     /** The field of a valid domain, whose triangulation is [mesh]. */
     @JvmStatic
+    @JvmOverloads
     fun create(
         domain: Domain,
         rules: SizeRules,
@@ -42,6 +43,7 @@ internal object SizeFields {
      * domain is wide against its sizes.
      */
     @JvmStatic
+    @JvmOverloads
     fun estimateElements(mesh: ConstrainedDelaunay, field: SizeField, checkpoint: Checkpoint = Checkpoint.unheard()): Double =
         ElementEstimate(mesh, field, checkpoint).total()
 
