@@ -45,8 +45,10 @@ public object MeshGenerator {
      * @throws MeshingCancelledException if the monitor cancels.
      */
     @JvmStatic
-    public fun generate(domain: Domain, options: MeshOptions, monitor: ProgressMonitor): MeshResult {
-        val run = StageClock(monitor)
+    public fun generate(domain: Domain, options: MeshOptions, monitor: ProgressMonitor): MeshResult =
+        generate(domain, options, StageClock(monitor))
+
+    internal fun generate(domain: Domain, options: MeshOptions, run: StageClock): MeshResult {
         run.begin(Stage.CHECK)
         val faults = DomainCheck.check(domain, Checkpoint(run, Stage.CHECK))
         if (faults.isNotEmpty()) throw InvalidDomainException(faults)

@@ -5,7 +5,11 @@ import org.trigrid.diagnostics.ProgressMonitor
 import org.trigrid.diagnostics.Stage
 
 /** Times the stages of a run and turns each stage's own progress into that of the whole, which never falls. */
-internal class StageClock(private val monitor: ProgressMonitor) : ProgressMonitor {
+internal class StageClock(
+    private val monitor: ProgressMonitor,
+    /** Nanoseconds between two questions to the monitor, at least; 0 passes every one on. */
+    private val rest: Long = REST,
+) : ProgressMonitor {
     val seconds = DoubleArray(Stage.entries.size)
     private var stage = Stage.CHECK
     private var since = System.nanoTime()
@@ -26,7 +30,7 @@ internal class StageClock(private val monitor: ProgressMonitor) : ProgressMonito
 
     /** Stages ask as often as a cancelled run should end soon; the monitor is not troubled more than it can bear. */
     override fun update(stage: Stage, fraction: Double): Boolean =
-        System.nanoTime() - askedAt < REST || tell(stage, fraction)
+        System.nanoTime() - askedAt < rest || tell(stage, fraction)
 
     private fun tell(stage: Stage, fraction: Double): Boolean {
         askedAt = System.nanoTime()
@@ -42,7 +46,6 @@ internal class StageClock(private val monitor: ProgressMonitor) : ProgressMonito
     }
 
     private companion object {
-        /** Nanoseconds between two questions to the monitor. */
         const val REST = 4_000_000L
 
         /** Share of the whole at which each stage begins, by the time it takes on large domains. */

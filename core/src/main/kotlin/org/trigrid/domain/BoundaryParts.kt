@@ -49,6 +49,7 @@ internal class BoundaryParts(private val checked: CheckedDomain) {
     }
 
     private fun openIfNotFinite(s: Int) {
+        checked.checkpoint.pass()
         val a = checked.domain.segmentStart(s)
         val b = checked.domain.segmentEnd(s)
         if (checked.isFinite(a) && checked.isFinite(b)) return

@@ -19,7 +19,7 @@ internal class CheckedDomain(val domain: Domain, val checkpoint: Checkpoint = Ch
     val ends: IntArray = IntArray(2 * tested.size) { checkpoint.pass(); place[domain.segments[2 * tested[it / 2] + it % 2]] }
 
     /** The tested segments up to here bound the domain, the others are embedded. */
-    val boundaryCount: Int = tested.count { !domain.isEmbedded(it) }
+    val boundaryCount: Int = tested.count { checkpoint.pass(); !domain.isEmbedded(it) }
 
     /** Tested boundary segments that start, and that end, in each place. */
     val leaving: NodeSegments = NodeSegments.leaving(domain.nodeCount, ends.copyOf(2 * boundaryCount))

@@ -44,6 +44,7 @@ internal class FrontBuilder(
         val ends = IntArray(front.idBound)
         var edge = 0
         for (s in 0 until domain.segmentCount) {
+            checkpoint.pass()
             ends[edge++] = domain.segmentEnd(s)
             if (domain.isEmbedded(s)) ends[edge++] = domain.segmentStart(s)
         }

@@ -29,8 +29,12 @@ internal class FrontState(domain: Domain, val sizes: SizeField, expectedElements
             checkpoint.pass()
             sizes.sizeAt(domain.x(it), domain.y(it), hints[it])
         }
+        checkpoint.ask()
         val capacity = (1.1 * expectedElements).toInt() + 2 * nodes + 16
-        mesh = MutableMesh(domain.xy.copyOf(2 * nodes + capacity), nodes, nodeSizes, capacity, embeddedEdges(domain))
+        val xy = domain.xy.copyOf(2 * nodes + capacity)
+        checkpoint.ask()
+        mesh = MutableMesh(xy, nodes, nodeSizes, capacity, embeddedEdges(domain))
+        checkpoint.ask()
         nodeBudget = (nodes + BUDGET * (expectedElements + nodes)).toInt()
         var x0 = Double.POSITIVE_INFINITY
         var y0 = Double.POSITIVE_INFINITY

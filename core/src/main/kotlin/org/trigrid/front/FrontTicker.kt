@@ -4,7 +4,7 @@ import org.trigrid.diagnostics.MeshingCancelledException
 import org.trigrid.diagnostics.ProgressMonitor
 import org.trigrid.diagnostics.Stage
 
-/** Tells the monitor how far the front has come, every few hundred edges tried, and ends the run when it says so. */
+/** Tells the monitor how far the front has come, every few dozen edges tried, and ends the run when it says so. */
 internal class FrontTicker(private val monitor: ProgressMonitor, private val expectedElements: Double) {
     private var tries = 0
 
@@ -15,6 +15,6 @@ internal class FrontTicker(private val monitor: ProgressMonitor, private val exp
     }
 
     private companion object {
-        const val INTERVAL = 128
+        const val INTERVAL = 32
     }
 }

@@ -16,7 +16,7 @@ internal object InsertionOrder {
 
     /** @param xy x0, y0, x1, y1, …; finite; not modified. Returns a permutation of the point numbers. */
     @JvmStatic
-    fun of(xy: DoubleArray, checkpoint: Checkpoint = Checkpoint.unheard()): IntArray = rounds(alongCurve(xy, checkpoint))
+    fun of(xy: DoubleArray, checkpoint: Checkpoint = Checkpoint.unheard()): IntArray = rounds(alongCurve(xy, checkpoint), checkpoint)
 
     /** Point numbers along a Hilbert curve (Hilbert 1891, Math. Ann. 38:459-460) over the square round all points. */
     @JvmStatic
@@ -27,6 +27,7 @@ internal object InsertionOrder {
         var maxX = Double.NEGATIVE_INFINITY
         var maxY = Double.NEGATIVE_INFINITY
         for (i in 0 until count) {
+            checkpoint.pass()
             minX = Math.min(minX, xy[2 * i])
             maxX = Math.max(maxX, xy[2 * i])
             minY = Math.min(minY, xy[2 * i + 1])
@@ -70,11 +71,16 @@ internal object InsertionOrder {
         var order = IntArray(keys.size) { it }
         var spare = IntArray(keys.size)
         for (shift in 0 until 2 * BITS step DIGIT_BITS) {
-            checkpoint.ask()
             val starts = IntArray(digits + 1)
-            for (key in keys) starts[((key ushr shift) and (digits - 1L)).toInt() + 1]++
+            for (key in keys) {
+                checkpoint.pass()
+                starts[((key ushr shift) and (digits - 1L)).toInt() + 1]++
+            }
             for (d in 0 until digits) starts[d + 1] += starts[d]
-            for (i in order) spare[starts[((keys[i] ushr shift) and (digits - 1L)).toInt()]++] = i
+            for (i in order) {
+                checkpoint.pass()
+                spare[starts[((keys[i] ushr shift) and (digits - 1L)).toInt()]++] = i
+            }
             val swap = order
             order = spare
             spare = swap
@@ -82,14 +88,20 @@ internal object InsertionOrder {
         return order
     }
 
-    private fun rounds(curve: IntArray): IntArray {
+    private fun rounds(curve: IntArray, checkpoint: Checkpoint): IntArray {
         var last = 0
         while ((curve.size ushr (last + 1)) >= SMALLEST_ROUND) last++
         val starts = IntArray(last + 2)
-        for (i in curve) starts[round(i, last) + 1]++
+        for (i in curve) {
+            checkpoint.pass()
+            starts[round(i, last) + 1]++
+        }
         for (r in 0..last) starts[r + 1] += starts[r]
         val order = IntArray(curve.size)
-        for (i in curve) order[starts[round(i, last)]++] = i
+        for (i in curve) {
+            checkpoint.pass()
+            order[starts[round(i, last)]++] = i
+        }
         return order
     }
 

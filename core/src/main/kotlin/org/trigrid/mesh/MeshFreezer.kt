@@ -15,9 +15,12 @@ internal object MeshFreezer {
         }
         val kinds = TriMeshFactory.kinds(mesh.nodeCount, domain.segments, domain.boundaryCount)
         checkpoint.ask()
+        val xy = mesh.xy.copyOf(2 * mesh.nodeCount)
+        val elements = mesh.elements.copyOf(halfEdges)
+        checkpoint.ask()
         return TriMesh(
-            mesh.xy.copyOf(2 * mesh.nodeCount),
-            mesh.elements.copyOf(halfEdges),
+            xy,
+            elements,
             neighbours,
             kinds,
             domain.segments.copyOf(),

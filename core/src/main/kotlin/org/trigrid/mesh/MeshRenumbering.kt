@@ -5,7 +5,9 @@ import org.trigrid.diagnostics.Checkpoint
 /** Gives the nodes of a mesh new numbers and puts its elements in their order. */
 internal object MeshRenumbering {
     fun apply(mesh: TriMesh, newNumbers: IntArray, checkpoint: Checkpoint = Checkpoint.unheard()): TriMesh {
+        checkpoint.ask()
         requirePermutation(newNumbers, mesh.nodeCount)
+        checkpoint.ask()
         val xy = DoubleArray(mesh.xy.size)
         val kinds = ByteArray(mesh.kinds.size)
         for (node in newNumbers.indices) {
@@ -17,6 +19,7 @@ internal object MeshRenumbering {
         }
         val edges = IntArray(mesh.edges.size) { newNumbers[mesh.edges[it]] }
         val place = elementPlaces(mesh, newNumbers, checkpoint)
+        checkpoint.ask()
         val elements = IntArray(mesh.elements.size)
         val neighbours = IntArray(mesh.neighbours.size)
         for (t in place.indices) {
@@ -48,7 +51,10 @@ internal object MeshRenumbering {
             start[low + 1]++
         }
         for (n in 1..mesh.nodeCount) start[n] += start[n - 1]
-        for (t in place.indices) place[t] = start[place[t]]++
+        for (t in place.indices) {
+            checkpoint.pass()
+            place[t] = start[place[t]]++
+        }
         return place
     }
 

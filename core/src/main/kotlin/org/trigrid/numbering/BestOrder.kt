@@ -27,7 +27,10 @@ internal class BestOrder(private val graph: NodeGraph, private val checkpoint: C
      * @return the half-bandwidth of the candidate.
      */
     fun offer(candidate: IntArray): Int {
-        for (i in 0 until nodeCount) numbers[candidate[i]] = i
+        for (i in 0 until nodeCount) {
+            checkpoint.pass()
+            numbers[candidate[i]] = i
+        }
         var widest = 0
         var forward = nodeCount.toLong()
         var backward = nodeCount.toLong()

@@ -84,11 +84,13 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
             var widestFirst = 0
             var widestSecond = 0
             for (node in part) {
+                checkpoint.pass()
                 widestFirst = maxOf(widestFirst, widths[fromFirst[node]] + byFirst[fromFirst[node]])
                 widestSecond = maxOf(widestSecond, widths[fromSecond[node]] + bySecond[fromSecond[node]])
             }
             val chosen = if (widestSecond < widestFirst) fromSecond else fromFirst
             for (node in part) {
+                checkpoint.pass()
                 byFirst[fromFirst[node]] = 0
                 bySecond[fromSecond[node]] = 0
                 level[node] = chosen[node]
@@ -161,8 +163,10 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
         val place = IntArray(depth + 2)
         for (l in 0..depth) place[l + 1] = place[l] + widths[l]
         val nodes = IntArray(nodeCount)
-        checkpoint.ask()
-        for (node in NodeGraph.nodesByDegree(graph.starts)) nodes[place[level[node]]++] = node
+        for (node in NodeGraph.nodesByDegree(graph.starts, checkpoint)) {
+            checkpoint.pass()
+            nodes[place[level[node]]++] = node
+        }
         return nodes
     }
 

@@ -47,6 +47,7 @@ internal object GraphParts {
         checkpoint.ask()
         val boundaries = boundariesByPart(boundaryNodes, partOf, local, bounds.size - 1)
         return List(bounds.size - 1) { part ->
+            checkpoint.pass()
             val nodes = queue.copyOfRange(bounds[part], bounds[part + 1])
             GraphPart(graph.relabelled(nodes, local, checkpoint), nodes, boundaries[part])
         }

@@ -30,7 +30,10 @@ public class NodeGraph private constructor(
     /** The connected part of this graph that has the nodes of [order], the node at `order[i]` numbered i. */
     internal fun relabelled(order: IntArray, newNumbers: IntArray, checkpoint: Checkpoint): NodeGraph {
         val newStarts = IntArray(order.size + 1)
-        for (i in order.indices) newStarts[i + 1] = newStarts[i] + degree(order[i])
+        for (i in order.indices) {
+            checkpoint.pass()
+            newStarts[i + 1] = newStarts[i] + degree(order[i])
+        }
         checkpoint.ask()
         val newTargets = IntArray(newStarts[order.size])
         var at = 0
@@ -44,11 +47,17 @@ public class NodeGraph private constructor(
     /** The graph of groups of nodes: two are neighbours if nodes of theirs are. [groups] has a group for each node. */
     internal fun quotient(groups: IntArray, groupCount: Int, checkpoint: Checkpoint): NodeGraph {
         val firsts = IntArray(groupCount + 1)
-        for (g in groups) firsts[g + 1]++
+        for (g in groups) {
+            checkpoint.pass()
+            firsts[g + 1]++
+        }
         for (g in 1..groupCount) firsts[g] += firsts[g - 1]
         val members = IntArray(nodeCount)
         val at = firsts.copyOf()
-        for (node in 0 until nodeCount) members[at[groups[node]]++] = node
+        for (node in 0 until nodeCount) {
+            checkpoint.pass()
+            members[at[groups[node]]++] = node
+        }
         val newStarts = IntArray(groupCount + 1)
         var newTargets = IntArray(8 * groupCount + 8)
         val seenBy = IntArray(groupCount) { -1 }
@@ -86,6 +95,7 @@ public class NodeGraph private constructor(
                 starts[elements[MeshTopology.nextCorner(half)] + 1]++
             }
             for (n in 1 until starts.size) starts[n] += starts[n - 1]
+            checkpoint.ask()
             val targets = IntArray(starts[mesh.nodeCount])
             val at = starts.copyOf()
             for (half in elements.indices) {
@@ -125,9 +135,11 @@ public class NodeGraph private constructor(
 
         /** Sorts all rows at once: nodes taken by degree are appended to the rows of their neighbours. */
         private fun sortedByDegree(starts: IntArray, targets: IntArray, checkpoint: Checkpoint): IntArray {
+            checkpoint.ask()
             val sorted = IntArray(targets.size)
+            checkpoint.ask()
             val at = starts.copyOf()
-            for (node in nodesByDegree(starts)) {
+            for (node in nodesByDegree(starts, checkpoint)) {
                 checkpoint.pass()
                 for (k in starts[node] until starts[node + 1]) {
                     sorted[at[targets[k]]++] = node
@@ -137,15 +149,22 @@ public class NodeGraph private constructor(
         }
 
         /** Nodes by degree, ties by number; a counting sort. */
-        internal fun nodesByDegree(starts: IntArray): IntArray {
+        internal fun nodesByDegree(starts: IntArray, checkpoint: Checkpoint = Checkpoint.unheard()): IntArray {
             val count = starts.size - 1
             var highest = 0
             for (n in 0 until count) highest = maxOf(highest, starts[n + 1] - starts[n])
+            checkpoint.ask()
             val place = IntArray(highest + 2)
-            for (n in 0 until count) place[starts[n + 1] - starts[n] + 1]++
+            for (n in 0 until count) {
+                checkpoint.pass()
+                place[starts[n + 1] - starts[n] + 1]++
+            }
             for (d in 1 until place.size) place[d] += place[d - 1]
             val nodes = IntArray(count)
-            for (n in 0 until count) nodes[place[starts[n + 1] - starts[n]]++] = n
+            for (n in 0 until count) {
+                checkpoint.pass()
+                nodes[place[starts[n + 1] - starts[n]]++] = n
+            }
             return nodes
         }
     }

@@ -34,7 +34,7 @@ public class NumberingMetrics internal constructor(
                 val low = minOf(elements[at], minOf(elements[at + 1], elements[at + 2]))
                 for (k in at..at + 2) if (low < lowest[elements[k]]) lowest[elements[k]] = low
             }
-            return ofLowest(lowest)
+            return ofLowest(lowest, checkpoint)
         }
 
         /** The metrics of [graph] in the order that [permutation] gives. */
@@ -53,13 +53,14 @@ public class NumberingMetrics internal constructor(
                 for (k in graph.starts[node] until graph.starts[node + 1]) low = minOf(low, numbers[graph.targets[k]])
                 lowest[numbers[node]] = low
             }
-            return ofLowest(lowest)
+            return ofLowest(lowest, checkpoint)
         }
 
-        private fun ofLowest(lowest: IntArray): NumberingMetrics {
+        private fun ofLowest(lowest: IntArray, checkpoint: Checkpoint): NumberingMetrics {
             var widest = 0
             var profile = 0L
             for (i in lowest.indices) {
+                checkpoint.pass()
                 val width = i - lowest[i]
                 widest = maxOf(widest, width)
                 profile += width + 1

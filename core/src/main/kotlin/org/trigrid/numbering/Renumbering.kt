@@ -13,13 +13,16 @@ internal object Renumbering {
         val order = IntArray(graph.nodeCount)
         var size = 0
         for (part in GraphParts.of(graph, boundaryNodes, checkpoint)) {
-            for (local in partOrder(part, method, checkpoint)) order[size++] = part.nodes[local]
+            for (local in partOrder(part, method, checkpoint)) {
+                checkpoint.pass()
+                order[size++] = part.nodes[local]
+            }
         }
         checkpoint.ask()
         val found = Permutation.ofOrder(order)
         if (method == NumberingMethod.CUTHILL_MCKEE) return found
-        val given = Permutation.identity(graph.nodeCount)
         checkpoint.ask()
+        val given = Permutation.identity(graph.nodeCount)
         return if (isBetter(NumberingMetrics.of(graph, found, checkpoint), NumberingMetrics.of(graph, given, checkpoint))) found else given
     }
 
@@ -40,7 +43,10 @@ internal object Renumbering {
     /** The boundary nodes of a mesh, walk after walk; where walks touch, a node occurs once. */
     fun boundaryWalks(mesh: TriMesh, checkpoint: Checkpoint = Checkpoint.unheard()): IntArray {
         val next = IntArray(mesh.nodeCount) { TriMesh.NONE }
-        for (e in 0 until mesh.boundaryEdgeCount) next[mesh.edgeStart(e)] = mesh.edgeEnd(e)
+        for (e in 0 until mesh.boundaryEdgeCount) {
+            checkpoint.pass()
+            next[mesh.edgeStart(e)] = mesh.edgeEnd(e)
+        }
         val walks = IntArray(mesh.boundaryEdgeCount)
         var count = 0
         for (e in 0 until mesh.boundaryEdgeCount) {

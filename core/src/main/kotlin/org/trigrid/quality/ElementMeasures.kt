@@ -20,7 +20,6 @@ internal class ElementMeasures(val mesh: TriMesh, val checkpoint: Checkpoint = C
             checkpoint.pass()
             measure(t)
         }
-        checkpoint.ask()
     }
 
     private fun measure(t: Int) {
@@ -59,7 +58,10 @@ internal class ElementMeasures(val mesh: TriMesh, val checkpoint: Checkpoint = C
 
     fun qualityHistogram(): IntArray {
         val classes = IntArray(QUALITY_CLASSES)
-        for (q in qualities) classes[(q * QUALITY_CLASSES).toInt().coerceIn(0, QUALITY_CLASSES - 1)]++
+        for (q in qualities) {
+            checkpoint.pass()
+            classes[(q * QUALITY_CLASSES).toInt().coerceIn(0, QUALITY_CLASSES - 1)]++
+        }
         return classes
     }
 
@@ -69,6 +71,7 @@ internal class ElementMeasures(val mesh: TriMesh, val checkpoint: Checkpoint = C
         val found = IntArray(wanted)
         var size = 0
         for (t in 0 until elementCount) {
+            checkpoint.pass()
             if (wanted == 0 || size == wanted && !(qualities[t] < qualities[found[size - 1]])) continue
             var at = if (size < wanted) size++ else size - 1
             while (at > 0 && qualities[t] < qualities[found[at - 1]]) {

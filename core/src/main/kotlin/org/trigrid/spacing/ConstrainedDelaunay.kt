@@ -100,6 +100,7 @@ internal class ConstrainedDelaunay private constructor(
             val newNumber = IntArray(inside.size)
             var count = 0
             for (t in inside.indices) newNumber[t] = if (inside[t]) count++ else NONE
+            builder.checkpoint.ask()
             val nodes = IntArray(3 * count)
             val twins = IntArray(3 * count)
             val edgeOfNode = IntArray(builder.nodeCount).apply { fill(NONE) }

@@ -75,7 +75,7 @@ internal class ElementEstimate(
 
     /** Elements of the last piece, or 0 when it was divided and waits in two halves. */
     private fun elementsOrDivide(): Double {
-        checkpoint.pass()
+        checkpoint.pass(STEPS_PER_PIECE)
         val p = 9 * --pieceCount
         val ax = pieces[p]
         val ay = pieces[p + 1]
@@ -158,6 +158,9 @@ internal class ElementEstimate(
         /** Pieces that may be divided: many in few triangles, or some in each of many. */
         const val MAX_PIECES = 1_000_000L
         const val PIECES_PER_TRIANGLE = 50L
+
+        /** A piece asks the field three times, which among thousands of holes takes long. */
+        const val STEPS_PER_PIECE = 32
     }
 }
 

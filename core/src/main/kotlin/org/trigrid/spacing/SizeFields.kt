@@ -16,6 +16,7 @@ internal object SizeFields {
         checkpoint: Checkpoint = Checkpoint.unheard(),
     ): SizeField {
         val gradation = rules.gradation
+        checkpoint.ask()
         val sizes = nodeSizes(domain)
         checkpoint.ask()
         val cones = ConeTree(domain.xy, sizes, gradation, checkpoint)
@@ -74,7 +75,7 @@ internal object SizeFields {
             val first = domain.loopStart(loop)
             val count = domain.loopStart(loop + 1) - first
             val window = Math.min(WINDOW, count / 2)
-            val lengths = DoubleArray(count) { domain.segmentLength(first + it) }
+            val lengths = DoubleArray(count) { checkpoint.pass(); domain.segmentLength(first + it) }
             for (i in 0 until count) {
                 checkpoint.pass()
                 var sum = 0.0
@@ -100,7 +101,7 @@ internal object SizeFields {
         val reach = DoubleArray(domain.nodeCount) { Double.POSITIVE_INFINITY }
         for (loop in 0 until domain.loopCount) {
             val segments = domain.loopStart(loop) until domain.loopStart(loop + 1)
-            val length = segments.sumOf { domain.segmentLength(it) }
+            val length = segments.sumOf { checkpoint.pass(); domain.segmentLength(it) }
             for (s in segments) {
                 checkpoint.pass()
                 val node = domain.segmentStart(s)

@@ -83,7 +83,7 @@ class FoundDefectsTest {
     @Tag("corpus")
     @Test
     fun `a long fine boundary is not taken for a fine domain`() {
-        val domain = CancelGaps.ring(200_000)
+        val domain = Domain.of(RandomLoops.ring(200_000))
         val mesh = ConstrainedDelaunay.of(domain)
         val expected = SizeFields.estimateElements(mesh, SizeFields.create(domain, SizeRules(Sizes.GRADE, 1.0, 0.0, Double.POSITIVE_INFINITY, null), mesh))
         assertTrue(expected in 2.0 * 200_000..3.5 * 200_000) { "$expected" }
