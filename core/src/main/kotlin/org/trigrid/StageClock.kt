@@ -28,9 +28,12 @@ internal class StageClock(
         if (!monitor.update(stage, 1.0)) throw MeshingCancelledException()
     }
 
-    /** Stages ask as often as a cancelled run should end soon; the monitor is not troubled more than it can bear. */
+    /**
+     * Stages ask as often as a cancelled run should end soon; the monitor is not troubled more than it can bear. What a stage
+     * before has made, as the sizes, may ask later on: the monitor is told the stage of the run.
+     */
     override fun update(stage: Stage, fraction: Double): Boolean =
-        System.nanoTime() - askedAt < rest || tell(stage, fraction)
+        System.nanoTime() - askedAt < rest || tell(this.stage, if (stage == this.stage) fraction else 0.0)
 
     private fun tell(stage: Stage, fraction: Double): Boolean {
         askedAt = System.nanoTime()

@@ -13,7 +13,7 @@ internal class Checkpoint(private val monitor: ProgressMonitor, private val stag
         if (++steps and MASK == 0) ask()
     }
 
-    /** As [pass], for work that takes as long as [count] steps; less than a thousand. */
+    /** As [pass], for work that takes as long as [count] steps. */
     fun pass(count: Int) {
         val before = steps
         steps += count

@@ -50,7 +50,7 @@ internal class FrontState(domain: Domain, val sizes: SizeField, expectedElements
         index = FrontIndex(x0, y0, x1, y1)
         front = FrontBuilder(domain, mesh, index, checkpoint).build()
         acceptance = Acceptance(mesh, front, index)
-        wayOut = VisibleNode(mesh, front, index, acceptance, Math.max(x1 - x0, y1 - y0))
+        wayOut = VisibleNode(mesh, front, index, acceptance, Math.max(x1 - x0, y1 - y0), checkpoint)
     }
 
     /** Wanted edge length at a place near [node]. */

@@ -27,10 +27,8 @@ internal class BestOrder(private val graph: NodeGraph, private val checkpoint: C
      * @return the half-bandwidth of the candidate.
      */
     fun offer(candidate: IntArray): Int {
-        for (i in 0 until nodeCount) {
-            checkpoint.pass()
-            numbers[candidate[i]] = i
-        }
+        for (i in 0 until nodeCount) numbers[candidate[i]] = i
+        checkpoint.ask()
         var widest = 0
         var forward = nodeCount.toLong()
         var backward = nodeCount.toLong()

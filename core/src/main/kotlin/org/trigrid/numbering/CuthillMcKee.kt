@@ -56,8 +56,8 @@ internal class CuthillMcKee(private val graph: NodeGraph, private val checkpoint
         depth = 0
         var head = 0
         while (head < tail) {
-            checkpoint.pass()
             if (head == levelEnd) {
+                checkpoint.pass(tail - levelEnd)
                 lastLevel = levelEnd
                 levelEnd = tail
                 depth++

@@ -30,10 +30,7 @@ public class NodeGraph private constructor(
     /** The connected part of this graph that has the nodes of [order], the node at `order[i]` numbered i. */
     internal fun relabelled(order: IntArray, newNumbers: IntArray, checkpoint: Checkpoint): NodeGraph {
         val newStarts = IntArray(order.size + 1)
-        for (i in order.indices) {
-            checkpoint.pass()
-            newStarts[i + 1] = newStarts[i] + degree(order[i])
-        }
+        for (i in order.indices) newStarts[i + 1] = newStarts[i] + degree(order[i])
         checkpoint.ask()
         val newTargets = IntArray(newStarts[order.size])
         var at = 0
@@ -47,17 +44,13 @@ public class NodeGraph private constructor(
     /** The graph of groups of nodes: two are neighbours if nodes of theirs are. [groups] has a group for each node. */
     internal fun quotient(groups: IntArray, groupCount: Int, checkpoint: Checkpoint): NodeGraph {
         val firsts = IntArray(groupCount + 1)
-        for (g in groups) {
-            checkpoint.pass()
-            firsts[g + 1]++
-        }
+        for (g in groups) firsts[g + 1]++
+        checkpoint.ask()
         for (g in 1..groupCount) firsts[g] += firsts[g - 1]
         val members = IntArray(nodeCount)
         val at = firsts.copyOf()
-        for (node in 0 until nodeCount) {
-            checkpoint.pass()
-            members[at[groups[node]]++] = node
-        }
+        for (node in 0 until nodeCount) members[at[groups[node]]++] = node
+        checkpoint.ask()
         val newStarts = IntArray(groupCount + 1)
         var newTargets = IntArray(8 * groupCount + 8)
         val seenBy = IntArray(groupCount) { -1 }
@@ -155,16 +148,12 @@ public class NodeGraph private constructor(
             for (n in 0 until count) highest = maxOf(highest, starts[n + 1] - starts[n])
             checkpoint.ask()
             val place = IntArray(highest + 2)
-            for (n in 0 until count) {
-                checkpoint.pass()
-                place[starts[n + 1] - starts[n] + 1]++
-            }
+            for (n in 0 until count) place[starts[n + 1] - starts[n] + 1]++
+            checkpoint.ask()
             for (d in 1 until place.size) place[d] += place[d - 1]
             val nodes = IntArray(count)
-            for (n in 0 until count) {
-                checkpoint.pass()
-                nodes[place[starts[n + 1] - starts[n]]++] = n
-            }
+            for (n in 0 until count) nodes[place[starts[n + 1] - starts[n]]++] = n
+            checkpoint.ask()
             return nodes
         }
     }

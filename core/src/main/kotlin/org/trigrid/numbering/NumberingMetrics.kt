@@ -59,8 +59,8 @@ public class NumberingMetrics internal constructor(
         private fun ofLowest(lowest: IntArray, checkpoint: Checkpoint): NumberingMetrics {
             var widest = 0
             var profile = 0L
+            checkpoint.ask()
             for (i in lowest.indices) {
-                checkpoint.pass()
                 val width = i - lowest[i]
                 widest = maxOf(widest, width)
                 profile += width + 1

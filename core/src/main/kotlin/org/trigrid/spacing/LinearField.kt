@@ -27,7 +27,7 @@ internal class LinearField(
     private val gradation: Double,
     checkpoint: Checkpoint = Checkpoint.unheard(),
 ) : SizeField {
-    private val walk = TriangleWalk(mesh)
+    private val walk = TriangleWalk(mesh, checkpoint)
     private var lastSource = -1
     private val steep = BitSet(mesh.triangleCount)
     private val uneven = BitSet(mesh.triangleCount)
