@@ -20,15 +20,24 @@ internal class Flipper(
 
     /** Looks at all edges and at those that flips change. */
     fun runAll(progress: ImproveProgress) {
-        pushAll(progress)
-        run(progress)
-    }
-
-    private fun pushAll(progress: ImproveProgress) {
+        changes.clear(Changes.FLIPS)
         for (h in 3 * mesh.elementCount - 1 downTo 0) {
             progress.pass()
             if (mesh.elements[h - h % 3] >= 0 && mesh.twins[h] > h) push(h)
         }
+        run(progress)
+    }
+
+    /** Looks at the edges of all elements around which something has changed since the last look. */
+    fun runChanged(progress: ImproveProgress) {
+        var due = 0
+        for (n in 0 until mesh.nodeCount) if (changes.has(n, Changes.FLIPS)) due++
+        if (2 * due > mesh.nodeCount) return runAll(progress)
+        for (n in mesh.nodeCount - 1 downTo 0) {
+            progress.pass()
+            if (connectivity.outgoing[n] >= 0 && changes.take(n, Changes.FLIPS)) pushStar(n)
+        }
+        run(progress)
     }
 
     /** Adds the edges of the element of [h]. */
@@ -39,7 +48,7 @@ internal class Flipper(
         push(t + 2)
     }
 
-    /** Adds all edges of the elements around a free node. */
+    /** Adds all edges of the elements around a node. */
     fun pushStar(node: Int) {
         val first = connectivity.outgoing[node]
         var h = first
@@ -47,6 +56,13 @@ internal class Flipper(
             pushElement(h)
             h = mesh.twins[previous(h)]
         } while (h != first && h >= 0)
+        if (h == first) return
+        // At the boundary the fan goes on to the other side of where the turn began.
+        h = mesh.twins[first]
+        while (h >= 0) {
+            pushElement(h)
+            h = mesh.twins[next(h)]
+        }
     }
 
     /** Works the list off. */

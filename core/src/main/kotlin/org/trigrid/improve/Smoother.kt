@@ -31,7 +31,7 @@ internal class Smoother(
             val least = tolerance * mesh.sizes[n]
             if (dx * dx + dy * dy <= least * least) continue
             moved = true
-            changes.touch(n, Changes.SMOOTHING)
+            changes.touch(n, Changes.SMOOTHING or Changes.FLIPS)
             for (i in 0 until star.count) changes.touch(star.ring[i], Changes.SMOOTHING)
         }
         return moved
