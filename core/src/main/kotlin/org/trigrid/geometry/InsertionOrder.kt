@@ -18,10 +18,10 @@ internal object InsertionOrder {
     @JvmStatic
     fun of(xy: DoubleArray, checkpoint: Checkpoint = Checkpoint.unheard()): IntArray = rounds(alongCurve(xy, checkpoint), checkpoint)
 
-    /** Point numbers along a Hilbert curve (Hilbert 1891, Math. Ann. 38:459-460) over the square round all points. */
+    /** Numbers of the first [count] points along a Hilbert curve (Hilbert 1891, Math. Ann. 38:459-460) over the square round them. */
     @JvmStatic
-    fun alongCurve(xy: DoubleArray, checkpoint: Checkpoint = Checkpoint.unheard()): IntArray {
-        val count = xy.size / 2
+    @JvmOverloads
+    fun alongCurve(xy: DoubleArray, checkpoint: Checkpoint = Checkpoint.unheard(), count: Int = xy.size / 2): IntArray {
         var minX = Double.POSITIVE_INFINITY
         var minY = Double.POSITIVE_INFINITY
         var maxX = Double.NEGATIVE_INFINITY

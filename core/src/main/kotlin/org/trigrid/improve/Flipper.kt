@@ -105,10 +105,11 @@ internal class Flipper(
         val gain = if (byQuality) 0.0 else ideal.flipGain(connectivity.valence, a, b, c, d)
         if (gain < -EQUAL) return false
         if (connectivity.isAtLeast(a) || connectivity.isAtLeast(b)) return false
+        val before = Math.min(quality(a, b, c), quality(b, a, d))
+        if (before > BEST_OF_BOTH && gain <= EQUAL) return false
         // The quadrilateral runs a, d, b, c.
         val after = Math.min(quality(a, d, c), quality(b, c, d))
         if (after < Star.SURELY_POSITIVE) return false
-        val before = Math.min(quality(a, b, c), quality(b, a, d))
         val pays = if (gain > EQUAL) {
             QualityGuard.allows(before, after, LEAST_QUALITY, LEAST_SHARE)
         } else {
@@ -124,6 +125,9 @@ internal class Flipper(
 
     private companion object {
         const val EQUAL = 1e-9
+
+        /** Both ways to cut a quadrilateral can be as good as this in a square alone: sqrt(3) / 2. */
+        const val BEST_OF_BOTH = 0.8661
 
         /** A flip for the valences' sake may lower the quality, but not below these. */
         const val LEAST_QUALITY = 0.35

@@ -89,7 +89,7 @@ internal class Patch(private val connectivity: Connectivity) {
     private fun smooth(node: Int) {
         if (connectivity.outgoing[node] < 0) return
         star.gather(connectivity, node)
-        if (!star.newtonStep(steep = false)) return
+        if (!star.smoothingStep()) return
         mesh.xy[2 * node] = star.x
         mesh.xy[2 * node + 1] = star.y
     }

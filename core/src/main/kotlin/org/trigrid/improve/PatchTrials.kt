@@ -46,17 +46,32 @@ internal class PatchTrials(
         val d = mesh.elements[previous(g)]
         val gain = ideal.flipGain(connectivity.valence, a, b, c, d)
         if (gain < LEAST_GAIN) return
+        if (gain < WELCOME && squaredLength(c, d) > longestTurned(gain) * squaredLength(a, b)) return
         if (!(changes.isDue(a) || changes.isDue(b) || changes.isDue(c) || changes.isDue(d))) return
         if (gain < NEUTRAL && Math.min(quality(a, b, c), quality(b, a, d)) > GOOD) return
         if (wouldStarve(a) || wouldStarve(b) || mesh.isEmbedded(a, b)) return
         if (quality(a, d, c) < LEAST_QUALITY || quality(b, c, d) < LEAST_QUALITY) return
         patch.begin(a, b, c, d)
         val before = patch.energy(h / 3, g / 3, NONE)
+        if (gain < WELCOME && before < CALM_FLIP) return
         val least = patch.minQuality
         connectivity.flip(h)
         if (isBetter(before, least, h / 3, g / 3, NONE, HOPELESS_FLIP)) return
         connectivity.flip(next(h))
         patch.restore()
+    }
+
+    /** The squared length of the turned edge over that of the edge above which a flip has hardly ever been kept. */
+    private fun longestTurned(gain: Double): Double = when {
+        gain < RAISING -> 1.5
+        gain < NEUTRAL -> 1.85
+        else -> 2.12
+    }
+
+    private fun squaredLength(a: Int, b: Int): Double {
+        val dx = mesh.xy[2 * b] - mesh.xy[2 * a]
+        val dy = mesh.xy[2 * b + 1] - mesh.xy[2 * a + 1]
+        return dx * dx + dy * dy
     }
 
     /** Whether a free node that loses an element would have 3, or a fixed one none. */
@@ -97,10 +112,15 @@ internal class PatchTrials(
         val left = mesh.elements[previous(h)]
         val right = mesh.elements[previous(mesh.twins[h])]
         if (wouldStarve(left) || wouldStarve(right)) return false
+        val valence = connectivity.valence
+        val change = ideal.change(n, valence[n], 6) + ideal.change(m, valence[m], valence[m] + valence[n] - 4) +
+            ideal.change(left, valence[left], valence[left] - 1) + ideal.change(right, valence[right], valence[right] - 1)
+        if (change > MOST_CHANGE) return false
         val fixed = if (connectivity.isFree(m)) NONE else m
         connectivity.outgoing[m] = mesh.twins[h]
         patch.begin(n, m, left, right)
         val before = patch.energy(NONE, NONE, fixed) - PAIR
+        if (before < CALM) return false
         val least = patch.minQuality
         val size = mesh.sizes[n]
         connectivity.collapse(h)
@@ -116,9 +136,10 @@ internal class PatchTrials(
     }
 
     private fun trySplit(n: Int, towards: Int) {
-        if (!splitter.prepare(n, towards)) return
+        if (!splitter.prepare(n, towards, MOST_CHANGE)) return
         patch.begin(n, towards, splitter.end(false), splitter.end(true))
         val before = patch.energy(NONE, NONE, NONE) + PAIR
+        if (before < CALM) return
         val least = patch.minQuality
         val made = splitter.split(n)
         patch.addSeed(made)
@@ -156,7 +177,9 @@ internal class PatchTrials(
 
         /** Flips that raise the squared deviations by 2 are tried too, but only at elements below [GOOD]. */
         const val LEAST_GAIN = -2.01
-        const val NEUTRAL = -1.01
+        const val NEUTRAL = -0.51
+        const val RAISING = -1.51
+        const val WELCOME = 1.51
         const val GOOD = 0.9
 
         /** Elements below this before smoothing are not worth a trial. */
@@ -164,6 +187,13 @@ internal class PatchTrials(
 
         /** No trial may make the least q worse where it is below this. */
         const val POOR = 0.6
+
+        /** Collapses and splits that raise the squared deviations of the valences by more have hardly ever been kept. */
+        const val MOST_CHANGE = 3.0
+
+        /** Where there is less energy around the four nodes to begin with, there is too little to gain. */
+        const val CALM_FLIP = 0.31
+        const val CALM = 0.33
 
         /** Gain in energy that is worth a change. */
         const val ENOUGH = 0.001

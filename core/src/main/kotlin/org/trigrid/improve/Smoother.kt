@@ -23,7 +23,7 @@ internal class Smoother(
             progress.tick(n, count)
             if (connectivity.outgoing[n] < 0 || !changes.take(n, Changes.SMOOTHING)) continue
             star.gather(connectivity, n)
-            if (!star.newtonStep(steep = false)) continue
+            if (!star.smoothingStep()) continue
             val dx = star.x - mesh.xy[2 * n]
             val dy = star.y - mesh.xy[2 * n + 1]
             mesh.xy[2 * n] = star.x
