@@ -19,7 +19,7 @@ internal class ImproveProgress(private val report: (Double) -> Unit) {
         if (i and TICK_MASK == 0 && i < count) tell(from + (to - from) * i / count)
     }
 
-    /** A step of work whose share is not known; asks every few thousand steps whether to go on. */
+    /** A step of work whose share is not known; asks every thousand steps whether to go on. */
     fun pass() {
         if (++steps and PASS_MASK == 0) report(reached)
     }
@@ -36,6 +36,6 @@ internal class ImproveProgress(private val report: (Double) -> Unit) {
 
     private companion object {
         const val TICK_MASK = 255
-        const val PASS_MASK = 4095
+        const val PASS_MASK = 1023
     }
 }
