@@ -1,5 +1,6 @@
 package org.trigrid
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.diagnostics.InvalidDomainException
 import org.trigrid.diagnostics.MeshingCancelledException
 import org.trigrid.diagnostics.ProgressMonitor
@@ -44,16 +45,21 @@ public object MeshGenerator {
      * @throws MeshingCancelledException if the monitor cancels.
      */
     @JvmStatic
-    public fun generate(domain: Domain, options: MeshOptions, monitor: ProgressMonitor): MeshResult {
-        val run = StageClock(monitor)
+    public fun generate(domain: Domain, options: MeshOptions, monitor: ProgressMonitor): MeshResult =
+        generate(domain, options, StageClock(monitor))
+
+    internal fun generate(domain: Domain, options: MeshOptions, run: StageClock): MeshResult {
         run.begin(Stage.CHECK)
-        val faults = DomainCheck.check(domain)
+        val faults = DomainCheck.check(domain, Checkpoint(run, Stage.CHECK))
         if (faults.isNotEmpty()) throw InvalidDomainException(faults)
 
         run.begin(Stage.SIZES)
-        val triangulation = ConstrainedDelaunay.of(domain)
-        val sizes = SizeFields.create(domain, options.sizeRules(), triangulation)
-        val expected = SizeFields.estimateElements(triangulation, sizes)
+        val sizing = Checkpoint(run, Stage.SIZES)
+        val triangulation = ConstrainedDelaunay.of(domain, sizing)
+        sizing.reach(0.4)
+        val sizes = SizeFields.create(domain, options.sizeRules(), triangulation, sizing)
+        sizing.reach(0.7)
+        val expected = SizeFields.estimateElements(triangulation, sizes, sizing)
         val refusal = WorkLimit(expected, domain.nodeCount).refusal(options.maxElements, Runtime.getRuntime().maxMemory())
         if (refusal != null) throw TooManyElementsException(refusal)
 
@@ -66,21 +72,21 @@ public object MeshGenerator {
                 if (!run.update(Stage.IMPROVE, it)) throw MeshingCancelledException()
             }
         }
-        val made = MeshFreezer.freeze(raw.mesh, domain)
 
         run.begin(Stage.RENUMBER)
-        val before = NumberingMetrics.of(made)
-        val mesh = renumber(made, options.numbering)
-        val after = if (mesh === made) before else NumberingMetrics.of(mesh)
+        val finishing = Checkpoint(run, Stage.RENUMBER)
+        val made = MeshFreezer.freeze(raw.mesh, domain, finishing)
+        val before = NumberingMetrics.of(made, finishing)
+        val mesh = Numbering.renumber(made, options.numbering, finishing)
+        val after = if (mesh === made) before else NumberingMetrics.of(mesh, finishing)
+        finishing.reach(0.8)
+        val quality = QualityReport.of(mesh, finishing)
         run.end()
 
         val report = MeshReport(
             mesh.nodeCount, mesh.elementCount, mesh.boundaryNodeCount, domain.loopCount, expected, raw.fallbacks,
-            QualityReport.of(mesh), before, after, run.seconds,
+            quality, before, after, run.seconds,
         )
         return MeshResult(mesh, report)
     }
-
-    private fun renumber(mesh: TriMesh, method: NumberingMethod): TriMesh =
-        if (method == NumberingMethod.NONE) mesh else Numbering.renumber(mesh, method)
 }

@@ -15,6 +15,7 @@ internal class WorkLimit(private val expectedElements: Double, boundaryNodes: In
     fun refusal(maxElements: Int, heapBytes: Long): String? = when {
         expectedElements > maxElements ->
             needs() + ", but the limit is $maxElements elements; raise maxElements (--max-elements), or the sizes"
+        expectedElements > MOST_ELEMENTS -> needs() + ", but no mesh of more than ${MOST_ELEMENTS.toInt()} elements can be made"
         bytes > heapBytes ->
             needs() + ", but Java's heap ends at ${megabytes(heapBytes.toDouble())} MB; raise it by Java's option -Xmx " +
                 "(in TRIGRID_JAVA_OPTS for the command trigrid), or raise the sizes"
@@ -27,6 +28,9 @@ internal class WorkLimit(private val expectedElements: Double, boundaryNodes: In
     private fun megabytes(bytes: Double) = "%.0f".format(Locale.ROOT, bytes / 1e6)
 
     private companion object {
+        /** The front may make four times as many before it gives in, and arrays hold three numbers for each. */
+        const val MOST_ELEMENTS = 150_000_000.0
+
         /** Measured at a million elements: a run with 155 bytes of heap for each passes, one with 140 does not. */
         const val BYTES_PER_ELEMENT = 160.0
 

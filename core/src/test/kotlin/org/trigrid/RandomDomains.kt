@@ -3,6 +3,7 @@ package org.trigrid
 import org.trigrid.domain.Domain
 import org.trigrid.reliability.HostileDomains
 import org.trigrid.reliability.LatticeDomains
+import org.trigrid.reliability.MovedDomains
 import org.trigrid.reliability.PathDomains
 import org.trigrid.reliability.RandomLoops.placed
 import org.trigrid.reliability.RandomLoops.star
@@ -26,7 +27,9 @@ internal object RandomDomains {
     /** Families of small domains, for the everyday tests. */
     val small: List<Family> by lazy { families.filter { it.every < 10 } }
 
-    val families: List<Family> = basic() + HostileDomains.families + LatticeDomains.families + PathDomains.families
+    val families: List<Family> = (basic() + HostileDomains.families + LatticeDomains.families + PathDomains.families).let { all ->
+        all + MovedDomains(all.filter { it.every < 10 }).families
+    }
 
     private fun basic() = listOf(
         Family("smooth star") { r -> built(star(r, 12 + r.nextInt(120), 0.15, 1), emptyList()) },

@@ -18,7 +18,7 @@ public class Fault(
 
 /** The kinds of faults that a domain may have. */
 public enum class FaultKind {
-    /** A coordinate is NaN or infinite. */
+    /** A coordinate is NaN or infinite, or above 1e60, beyond which products of coordinates leave the range of numbers. */
     NOT_A_NUMBER,
 
     /** Two boundary segments cross in their interiors. */
@@ -30,7 +30,7 @@ public enum class FaultKind {
     /** Two nodes with different numbers lie at the same place. */
     DUPLICATE_NODE,
 
-    /** A segment whose two ends are the same place. */
+    /** A segment whose two ends are the same place, or nearer to each other than 1e-60. */
     ZERO_LENGTH,
 
     /** The boundary runs to a node and straight back, and is not a connector. */

@@ -3,7 +3,7 @@ package org.trigrid.diagnostics
 /**
  * Hears how far a long run has come and may stop it.
  *
- * Called on the thread that meshes, every few thousand elements; it should return at once.
+ * Called on the thread that meshes, at the start of each stage and then every few milliseconds; it should return at once.
  */
 public fun interface ProgressMonitor {
     /**

@@ -11,9 +11,13 @@ internal class BoundaryParts(private val checked: CheckedDomain) {
     private val balance = IntArray(checked.domain.nodeCount)
 
     init {
-        for (t in 0 until checked.boundaryCount) join(checked.start(t), checked.end(t))
+        for (t in 0 until checked.boundaryCount) {
+            checked.checkpoint.pass()
+            join(checked.start(t), checked.end(t))
+        }
         val domain = checked.domain
         for (s in 0 until domain.segmentCount) {
+            checked.checkpoint.pass()
             if (domain.isEmbedded(s)) continue
             balance[checked.place[domain.segmentStart(s)]]++
             balance[checked.place[domain.segmentEnd(s)]]--
@@ -45,6 +49,7 @@ internal class BoundaryParts(private val checked: CheckedDomain) {
     }
 
     private fun openIfNotFinite(s: Int) {
+        checked.checkpoint.pass()
         val a = checked.domain.segmentStart(s)
         val b = checked.domain.segmentEnd(s)
         if (checked.isFinite(a) && checked.isFinite(b)) return

@@ -1,5 +1,6 @@
 package org.trigrid.domain
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.diagnostics.Fault
 import org.trigrid.diagnostics.FaultKind
 import org.trigrid.diagnostics.InvalidDomainException
@@ -20,9 +21,13 @@ public object DomainCheck {
      * are not looked for.
      */
     @JvmStatic
-    public fun check(domain: Domain): List<Fault> {
+    public fun check(domain: Domain): List<Fault> = check(domain, Checkpoint.unheard())
+
+    /** As the other, in a run that may be cancelled. */
+    internal fun check(domain: Domain, checkpoint: Checkpoint): List<Fault> {
         val faults = FaultList()
-        val checked = CheckedDomain(domain)
+        val checked = CheckedDomain(domain, checkpoint)
+        checkpoint.reach(0.5)
         nodeFaults(checked, faults)
         zeroLengths(checked, faults)
         val pairs = PairFaults(checked, faults)
@@ -50,10 +55,12 @@ public object DomainCheck {
     private fun nodeFaults(checked: CheckedDomain, faults: FaultList) {
         val xy = checked.xy
         for (node in 0 until checked.domain.nodeCount) {
+            checked.checkpoint.pass()
             val first = checked.place[node]
             if (!checked.isFinite(node)) {
                 faults.add(FaultKind.NOT_A_NUMBER, xy[2 * node], xy[2 * node + 1], intArrayOf(node)) {
-                    "node ${checked.nodeText(node)} has a coordinate that is not a number"
+                    val isNumber = xy[2 * node].isFinite() && xy[2 * node + 1].isFinite()
+                    "node ${checked.nodeText(node)} has a coordinate that is " + if (isNumber) "beyond 1e60" else "not a number"
                 }
             } else if (first != node) {
                 faults.add(FaultKind.DUPLICATE_NODE, xy[2 * node], xy[2 * node + 1], intArrayOf(first, node)) {
@@ -66,17 +73,20 @@ public object DomainCheck {
     private fun zeroLengths(checked: CheckedDomain, faults: FaultList) {
         val domain = checked.domain
         for (s in 0 until domain.segmentCount) {
+            checked.checkpoint.pass()
             val a = domain.segmentStart(s)
             val b = domain.segmentEnd(s)
-            if (checked.place[a] != checked.place[b]) continue
+            if (!checked.isWithoutLength(s)) continue
             faults.add(FaultKind.ZERO_LENGTH, domain.x(a), domain.y(a), intArrayOf(a, b)) {
-                "segment $a-$b at (${domain.x(a)}, ${domain.y(a)}) has no length"
+                val what = if (checked.place[a] == checked.place[b]) "has no length" else "is shorter than 1e-60"
+                "segment $a-$b at (${domain.x(a)}, ${domain.y(a)}) $what"
             }
         }
     }
 
     private fun openWalks(checked: CheckedDomain, parts: BoundaryParts, faults: FaultList) {
         for (node in 0 until checked.domain.nodeCount) {
+            checked.checkpoint.pass()
             val balance = parts.balanceAt(node)
             if (balance == 0) continue
             faults.add(FaultKind.OPEN_WALK, checked.domain.x(node), checked.domain.y(node), intArrayOf(node)) {
@@ -92,6 +102,7 @@ public object DomainCheck {
             faults.add(FaultKind.DEGENERATE_LOOP, 0.0, 0.0, IntArray(0)) { "the domain has no boundary" }
         }
         for (loop in 0 until domain.loopCount) {
+            checked.checkpoint.pass()
             val from = domain.loopStart(loop)
             val to = domain.loopStart(loop + 1)
             if (!isDegenerate(checked, from, to)) continue

@@ -15,6 +15,7 @@ internal class EmbeddedFaults(
 
     fun find() {
         for (t in checked.boundaryCount until checked.tested.size) {
+            checked.checkpoint.pass()
             if (isFaulty[t] || isInside(t)) continue
             val a = checked.start(t)
             val nodes = intArrayOf(checked.nodeAtStart(t), checked.nodeAtEnd(t))

@@ -30,6 +30,7 @@ internal class PairFaults(private val checked: CheckedDomain, private val faults
 
     fun find() {
         checked.tree.visitPairs { s, t ->
+            checked.checkpoint.pass()
             examine(s, t)
             faultyPairs < PAIR_LIMIT
         }

@@ -1,5 +1,6 @@
 package org.trigrid.domain
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.geometry.InsertionOrder
 import org.trigrid.geometry.IntList
 
@@ -13,6 +14,7 @@ internal class SegmentTree(
     private val xy: DoubleArray,
     /** 2 per segment: start node, end node, all finite. Not modified. */
     private val segments: IntArray,
+    private val checkpoint: Checkpoint = Checkpoint.unheard(),
 ) {
     private val count = segments.size / 2
 
@@ -37,6 +39,7 @@ internal class SegmentTree(
         levelStarts = starts.toArray()
         boxes = DoubleArray(4 * start)
         for (i in 0 until count) fillSegmentBox(i)
+        checkpoint.ask()
         for (level in 1 until levelStarts.size - 1) {
             for (i in 0 until sizeOf(level)) fillNodeBox(level, i)
         }
@@ -114,6 +117,7 @@ internal class SegmentTree(
         touches(a, boxes[4 * b], boxes[4 * b + 1], boxes[4 * b + 2], boxes[4 * b + 3])
 
     private fun fillSegmentBox(i: Int) {
+        checkpoint.pass()
         val a = segments[2 * order[i]]
         val b = segments[2 * order[i] + 1]
         boxes[4 * i] = Math.min(xy[2 * a], xy[2 * b])
@@ -138,10 +142,11 @@ internal class SegmentTree(
     private fun hilbertOrder(): IntArray {
         val middles = DoubleArray(2 * count)
         for (i in middles.indices) {
+            checkpoint.pass()
             val segment = i and -2
             middles[i] = xy[2 * segments[segment] + (i and 1)] / 2 + xy[2 * segments[segment + 1] + (i and 1)] / 2
         }
-        return InsertionOrder.alongCurve(middles)
+        return InsertionOrder.alongCurve(middles, checkpoint)
     }
 
     companion object {

@@ -29,6 +29,7 @@ internal class WindingFaults(
     init {
         for (t in 0 until checked.boundaryCount) if (isFaulty[t]) skipped[parts.partOf(checked.start(t))] = true
         for (node in skipped.indices) {
+            checked.checkpoint.pass()
             if (!parts.isOpen(node)) continue
             skipped[parts.partOf(node)] = true
             if (checked.isFinite(node)) openBox.expandToInclude(xy[2 * node], xy[2 * node + 1])
@@ -36,9 +37,15 @@ internal class WindingFaults(
     }
 
     fun find() {
-        for (node in skipped.indices) if (checked.leaving.countAt(node) > 1 && !parts.isOpen(node)) examineNode(node)
+        for (node in skipped.indices) {
+            checked.checkpoint.pass()
+            if (checked.leaving.countAt(node) > 1 && !parts.isOpen(node)) examineNode(node)
+        }
         val corners = lowestLeftCorners()
-        for (part in corners.indices) if (corners[part] >= 0 && !skipped[part]) examinePart(corners[part])
+        for (part in corners.indices) {
+            checked.checkpoint.pass()
+            if (corners[part] >= 0 && !skipped[part]) examinePart(corners[part])
+        }
     }
 
     /** Whether a place that no segment touches lies in the domain, as far as that can be said. */
@@ -101,6 +108,7 @@ internal class WindingFaults(
     private fun lowestLeftCorners(): IntArray {
         val corners = IntArray(checked.domain.nodeCount).also { it.fill(-1) }
         for (t in 0 until checked.boundaryCount) {
+            checked.checkpoint.pass()
             val place = checked.start(t)
             val part = parts.partOf(place)
             val corner = corners[part]

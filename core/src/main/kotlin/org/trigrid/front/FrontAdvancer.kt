@@ -29,16 +29,18 @@ internal abstract class FrontAdvancer(protected val state: FrontState, keyCount:
     protected abstract fun tryEdge(edge: Int): Boolean
 
     fun run() {
-        for (edge in 0 until front.idBound) requeue(edge)
+        for (edge in 0 until front.idBound) {
+            ticker.tick(0)
+            requeue(edge)
+        }
         while (true) {
             val edge = queue.peek()
             if (edge < 0) return
-            if (tryEdge(edge)) {
-                ticker.tick(mesh.elementCount)
-            } else {
+            if (!tryEdge(edge)) {
                 front.fails[edge]++
                 requeue(edge)
             }
+            ticker.tick(mesh.elementCount)
         }
     }
 

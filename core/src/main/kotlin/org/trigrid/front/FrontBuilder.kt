@@ -1,5 +1,6 @@
 package org.trigrid.front
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.domain.Domain
 import org.trigrid.geometry.Predicates
 import org.trigrid.mesh.MutableMesh
@@ -10,12 +11,18 @@ import org.trigrid.mesh.MutableMesh
  * Where several loops meet in a node, the edge after `u -> v` is the first to leave `v` when turning clockwise from
  * the way back to `u`: between the two lies nothing but the domain.
  */
-internal class FrontBuilder(private val domain: Domain, mesh: MutableMesh, index: FrontIndex) {
+internal class FrontBuilder(
+    private val domain: Domain,
+    mesh: MutableMesh,
+    index: FrontIndex,
+    private val checkpoint: Checkpoint,
+) {
     private val front = Front(mesh, index, 64 + 3 * domain.segmentCount)
 
     fun build(): Front {
         var embeddedSegments = 0
         for (s in 0 until domain.segmentCount) {
+            checkpoint.pass()
             if (!domain.isEmbedded(s)) {
                 front.add(domain.segmentStart(s), 0, -1)
             } else {
@@ -25,7 +32,10 @@ internal class FrontBuilder(private val domain: Domain, mesh: MutableMesh, index
             }
         }
         linkLoops(ends())
-        for (edge in 0 until front.idBound) front.place(edge)
+        for (edge in 0 until front.idBound) {
+            checkpoint.pass()
+            front.place(edge)
+        }
         return front
     }
 
@@ -34,6 +44,7 @@ internal class FrontBuilder(private val domain: Domain, mesh: MutableMesh, index
         val ends = IntArray(front.idBound)
         var edge = 0
         for (s in 0 until domain.segmentCount) {
+            checkpoint.pass()
             ends[edge++] = domain.segmentEnd(s)
             if (domain.isEmbedded(s)) ends[edge++] = domain.segmentStart(s)
         }
@@ -42,12 +53,19 @@ internal class FrontBuilder(private val domain: Domain, mesh: MutableMesh, index
 
     private fun linkLoops(ends: IntArray) {
         val start = IntArray(domain.nodeCount + 1)
-        for (edge in ends.indices) start[front.origin[edge] + 1]++
+        for (edge in ends.indices) {
+            checkpoint.pass()
+            start[front.origin[edge] + 1]++
+        }
         for (node in 0 until domain.nodeCount) start[node + 1] += start[node]
         val leaving = IntArray(ends.size)
         val at = start.copyOf()
-        for (edge in ends.indices) leaving[at[front.origin[edge]]++] = edge
         for (edge in ends.indices) {
+            checkpoint.pass()
+            leaving[at[front.origin[edge]]++] = edge
+        }
+        for (edge in ends.indices) {
+            checkpoint.pass()
             val node = ends[edge]
             val from = start[node]
             val to = start[node + 1]

@@ -1,6 +1,8 @@
 package org.trigrid.front
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.diagnostics.ProgressMonitor
+import org.trigrid.diagnostics.Stage
 import org.trigrid.domain.Domain
 import org.trigrid.mesh.MutableMesh
 import org.trigrid.spacing.SizeField
@@ -18,7 +20,7 @@ internal object FrontMesher {
         expectedElements: Double,
         monitor: ProgressMonitor,
     ): FrontResult {
-        val state = FrontState(domain, sizes, expectedElements)
+        val state = FrontState(domain, sizes, expectedElements, Checkpoint(monitor, Stage.FRONT))
         val ticker = FrontTicker(monitor, expectedElements)
         val advancer = when (strategy) {
             Strategy.CLASSIC -> ClassicAdvancer(domain, state, ticker)

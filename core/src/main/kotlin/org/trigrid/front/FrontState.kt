@@ -1,12 +1,13 @@
 package org.trigrid.front
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.domain.Domain
 import org.trigrid.mesh.EdgeSet
 import org.trigrid.mesh.MutableMesh
 import org.trigrid.spacing.SizeField
 
 /** What a run of the front works on: the growing mesh, the front with its index, and the sizes. */
-internal class FrontState(domain: Domain, val sizes: SizeField, expectedElements: Double) {
+internal class FrontState(domain: Domain, val sizes: SizeField, expectedElements: Double, checkpoint: Checkpoint) {
     /** Where the size field should start its search near each node. */
     private var hints = IntArray(domain.nodeCount) { sizes.hintOf(it) }
 
@@ -24,24 +25,32 @@ internal class FrontState(domain: Domain, val sizes: SizeField, expectedElements
 
     init {
         val nodes = domain.nodeCount
-        val nodeSizes = DoubleArray(nodes) { sizes.sizeAt(domain.x(it), domain.y(it), hints[it]) }
+        val nodeSizes = DoubleArray(nodes) {
+            checkpoint.pass()
+            sizes.sizeAt(domain.x(it), domain.y(it), hints[it])
+        }
+        checkpoint.ask()
         val capacity = (1.1 * expectedElements).toInt() + 2 * nodes + 16
-        mesh = MutableMesh(domain.xy.copyOf(2 * nodes + capacity), nodes, nodeSizes, capacity, embeddedEdges(domain))
+        val xy = domain.xy.copyOf(2 * nodes + capacity)
+        checkpoint.ask()
+        mesh = MutableMesh(xy, nodes, nodeSizes, capacity, embeddedEdges(domain))
+        checkpoint.ask()
         nodeBudget = (nodes + BUDGET * (expectedElements + nodes)).toInt()
         var x0 = Double.POSITIVE_INFINITY
         var y0 = Double.POSITIVE_INFINITY
         var x1 = Double.NEGATIVE_INFINITY
         var y1 = Double.NEGATIVE_INFINITY
         for (node in 0 until nodes) {
+            checkpoint.pass()
             x0 = Math.min(x0, domain.x(node))
             x1 = Math.max(x1, domain.x(node))
             y0 = Math.min(y0, domain.y(node))
             y1 = Math.max(y1, domain.y(node))
         }
         index = FrontIndex(x0, y0, x1, y1)
-        front = FrontBuilder(domain, mesh, index).build()
+        front = FrontBuilder(domain, mesh, index, checkpoint).build()
         acceptance = Acceptance(mesh, front, index)
-        wayOut = VisibleNode(mesh, front, index, acceptance, Math.max(x1 - x0, y1 - y0))
+        wayOut = VisibleNode(mesh, front, index, acceptance, Math.max(x1 - x0, y1 - y0), checkpoint)
     }
 
     /** Wanted edge length at a place near [node]. */

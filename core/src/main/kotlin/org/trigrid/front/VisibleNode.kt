@@ -1,5 +1,6 @@
 package org.trigrid.front
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.mesh.MutableMesh
 
 /**
@@ -15,6 +16,8 @@ internal class VisibleNode(
     private val index: FrontIndex,
     private val acceptance: Acceptance,
     private val extent: Double,
+    /** Asked on the way: there may be as many candidates as the front has nodes. */
+    private val checkpoint: Checkpoint,
 ) {
     private val candidates = CandidateList()
 
@@ -54,6 +57,7 @@ internal class VisibleNode(
     /** The candidate seen under the largest angle that nothing hides, or -1. */
     private fun firstClear(): Int {
         while (true) {
+            checkpoint.pass(STEPS_PER_CANDIDATE)
             val corner = candidates.takeBest()
             if (corner == CandidateList.EMPTY) return -1
             if (acceptance.seesBase(corner) && isClear(front.origin[corner])) return corner
@@ -74,6 +78,7 @@ internal class VisibleNode(
         candidates.clear()
         val xy = mesh.xy
         for (i in 0 until index.foundCount) {
+            checkpoint.pass()
             val corner = index.found[i]
             if (corner == edge) continue
             val q = front.origin[corner]
@@ -105,5 +110,6 @@ internal class VisibleNode(
 
     private companion object {
         const val BLOCKERS = 16
+        const val STEPS_PER_CANDIDATE = 16
     }
 }

@@ -1,5 +1,7 @@
 package org.trigrid.geometry
 
+import org.trigrid.diagnostics.Checkpoint
+
 /**
  * The order in which points are best inserted into a triangulation one by one: random rounds, each about twice as
  * large as the one before, along a Hilbert curve within each round, so that successive points are near each other
@@ -14,23 +16,27 @@ internal object InsertionOrder {
 
     /** @param xy x0, y0, x1, y1, …; finite; not modified. Returns a permutation of the point numbers. */
     @JvmStatic
-    fun of(xy: DoubleArray): IntArray = rounds(alongCurve(xy))
+    fun of(xy: DoubleArray, checkpoint: Checkpoint = Checkpoint.unheard()): IntArray = rounds(alongCurve(xy, checkpoint), checkpoint)
 
     /** Point numbers along a Hilbert curve (Hilbert 1891, Math. Ann. 38:459-460) over the square round all points. */
     @JvmStatic
-    fun alongCurve(xy: DoubleArray): IntArray = alongCurve(xy, xy.size / 2, BITS)
+    @JvmOverloads
+    fun alongCurve(xy: DoubleArray, checkpoint: Checkpoint = Checkpoint.unheard()): IntArray =
+        alongCurve(xy, checkpoint, xy.size / 2, BITS)
 
     /**
-     * As the other, of the first [count] points; those of one cell of a grid of `2^bits` cells each way, [bits] being 13 or
-     * 26, keep their order.
+     * As the other; points of one cell of a grid of `2^bits` cells each way, [bits] being 13 or 26, keep their order.
+     *
+     * @param count of the points; there may be more in [xy].
      */
     @JvmStatic
-    fun alongCurve(xy: DoubleArray, count: Int, bits: Int): IntArray {
+    fun alongCurve(xy: DoubleArray, checkpoint: Checkpoint, count: Int, bits: Int): IntArray {
         var minX = Double.POSITIVE_INFINITY
         var minY = Double.POSITIVE_INFINITY
         var maxX = Double.NEGATIVE_INFINITY
         var maxY = Double.NEGATIVE_INFINITY
         for (i in 0 until count) {
+            checkpoint.pass()
             minX = Math.min(minX, xy[2 * i])
             maxX = Math.max(maxX, xy[2 * i])
             minY = Math.min(minY, xy[2 * i + 1])
@@ -40,9 +46,10 @@ internal object InsertionOrder {
         val extent = Math.max(maxX / 2 - minX / 2, maxY / 2 - minY / 2)
         val scale = if (extent > 0) ((1 shl bits) - 1) / extent else 0.0
         val keys = LongArray(count) { i ->
+            checkpoint.pass()
             curvePosition(((xy[2 * i] / 2 - minX / 2) * scale).toInt(), ((xy[2 * i + 1] / 2 - minY / 2) * scale).toInt(), bits)
         }
-        return sortedByKey(keys, bits)
+        return sortedByKey(keys, bits, checkpoint)
     }
 
     private fun curvePosition(cellX: Int, cellY: Int, bits: Int): Long {
@@ -68,15 +75,21 @@ internal object InsertionOrder {
     }
 
     /** Stable radix sort of the numbers 0..n-1 by their keys. */
-    private fun sortedByKey(keys: LongArray, bits: Int): IntArray {
+    private fun sortedByKey(keys: LongArray, bits: Int, checkpoint: Checkpoint): IntArray {
         val digits = 1 shl DIGIT_BITS
         var order = IntArray(keys.size) { it }
         var spare = IntArray(keys.size)
         for (shift in 0 until 2 * bits step DIGIT_BITS) {
             val starts = IntArray(digits + 1)
-            for (key in keys) starts[((key ushr shift) and (digits - 1L)).toInt() + 1]++
+            for (key in keys) {
+                checkpoint.pass()
+                starts[((key ushr shift) and (digits - 1L)).toInt() + 1]++
+            }
             for (d in 0 until digits) starts[d + 1] += starts[d]
-            for (i in order) spare[starts[((keys[i] ushr shift) and (digits - 1L)).toInt()]++] = i
+            for (i in order) {
+                checkpoint.pass()
+                spare[starts[((keys[i] ushr shift) and (digits - 1L)).toInt()]++] = i
+            }
             val swap = order
             order = spare
             spare = swap
@@ -84,14 +97,20 @@ internal object InsertionOrder {
         return order
     }
 
-    private fun rounds(curve: IntArray): IntArray {
+    private fun rounds(curve: IntArray, checkpoint: Checkpoint): IntArray {
         var last = 0
         while ((curve.size ushr (last + 1)) >= SMALLEST_ROUND) last++
         val starts = IntArray(last + 2)
-        for (i in curve) starts[round(i, last) + 1]++
+        for (i in curve) {
+            checkpoint.pass()
+            starts[round(i, last) + 1]++
+        }
         for (r in 0..last) starts[r + 1] += starts[r]
         val order = IntArray(curve.size)
-        for (i in curve) order[starts[round(i, last)]++] = i
+        for (i in curve) {
+            checkpoint.pass()
+            order[starts[round(i, last)]++] = i
+        }
         return order
     }
 

@@ -9,7 +9,7 @@ import org.trigrid.mesh.MutableMesh
  * The *valence* of a node is the number of elements around it; for a node inside it equals the degree, for a boundary
  * node it is one less per fan of elements. Nodes and elements that die are used again by later splits.
  */
-internal class Connectivity(@JvmField val mesh: MutableMesh) {
+internal class Connectivity(@JvmField val mesh: MutableMesh, progress: ImproveProgress = ImproveProgress {}) {
     /** A half-edge that starts at the node, or -1 for a dead or unused one. */
     @JvmField
     var outgoing: IntArray = IntArray(mesh.nodeCount)
@@ -27,6 +27,7 @@ internal class Connectivity(@JvmField val mesh: MutableMesh) {
         java.util.Arrays.fill(outgoing, -1)
         val elements = mesh.elements
         for (t in 0 until mesh.elementCount) {
+            progress.pass()
             if (elements[3 * t] < 0) {
                 bury(t)
                 continue

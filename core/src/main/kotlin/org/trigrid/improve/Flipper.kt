@@ -1,7 +1,6 @@
 package org.trigrid.improve
 
 import org.trigrid.improve.Connectivity.Companion.next
-import org.trigrid.improve.Connectivity.Companion.next
 import org.trigrid.improve.Connectivity.Companion.previous
 import org.trigrid.quality.TriangleQuality
 
@@ -20,21 +19,25 @@ internal class Flipper(
     var byQuality: Boolean = false
 
     /** Looks at all edges and at those that flips change. */
-    fun runAll() {
+    fun runAll(progress: ImproveProgress) {
         changes.clear(Changes.FLIPS)
-        for (h in 3 * mesh.elementCount - 1 downTo 0) if (mesh.elements[h - h % 3] >= 0 && mesh.twins[h] > h) push(h)
-        run()
+        for (h in 3 * mesh.elementCount - 1 downTo 0) {
+            progress.pass()
+            if (mesh.elements[h - h % 3] >= 0 && mesh.twins[h] > h) push(h)
+        }
+        run(progress)
     }
 
     /** Looks at the edges of all elements around which something has changed since the last look. */
-    fun runChanged() {
+    fun runChanged(progress: ImproveProgress) {
         var due = 0
         for (n in 0 until mesh.nodeCount) if (changes.has(n, Changes.FLIPS)) due++
-        if (2 * due > mesh.nodeCount) return runAll()
+        if (2 * due > mesh.nodeCount) return runAll(progress)
         for (n in mesh.nodeCount - 1 downTo 0) {
+            progress.pass()
             if (connectivity.outgoing[n] >= 0 && changes.take(n, Changes.FLIPS)) pushStar(n)
         }
-        run()
+        run(progress)
     }
 
     /** Adds the edges of the element of [h]. */
@@ -63,8 +66,9 @@ internal class Flipper(
     }
 
     /** Works the list off. */
-    fun run() {
+    fun run(progress: ImproveProgress) {
         while (height > 0) {
+            progress.pass()
             val h = stack[--height]
             waiting[h] = 0
             if (!connectivity.isAlive(h) || mesh.twins[h] < 0) continue

@@ -6,12 +6,13 @@ import org.trigrid.mesh.MutableMesh
  * How many elements should meet at a node: 6 inside, and the angle over 60 degrees at a boundary node. The latter is kept
  * as a real number: at a right angle one element and two are equally good.
  */
-internal class IdealValence(mesh: MutableMesh) {
+internal class IdealValence(mesh: MutableMesh, progress: ImproveProgress) {
     private val fixed = DoubleArray(mesh.fixedNodeCount)
 
     init {
         val xy = mesh.xy
         for (h in 0 until 3 * mesh.elementCount) {
+            progress.pass()
             val a = mesh.elements[h]
             if (a < 0 || a >= fixed.size || mesh.elements[h - h % 3] < 0) continue
             val b = mesh.elements[Connectivity.next(h)]

@@ -1,5 +1,7 @@
 package org.trigrid.improve
 
+import org.trigrid.diagnostics.Checkpoint
+import org.trigrid.diagnostics.Stage
 import org.trigrid.front.Strategy
 import org.trigrid.mesh.MeshLocality
 import org.trigrid.mesh.MutableMesh
@@ -20,9 +22,17 @@ internal object MeshImprovement {
                 mesh.compact()
             }
             Strategy.ROBUST -> {
-                if (mesh.elementCount >= MeshLocality.LARGE) MeshLocality.arrange(mesh)
-                MeshImprover(mesh, smoothingTolerance).run(report)
+                if (mesh.elementCount >= MeshLocality.LARGE) MeshLocality.arrange(mesh, checkpoint(report))
+                MeshImprover(mesh, smoothingTolerance, report).run()
             }
         }
     }
+
+    private fun checkpoint(report: (Double) -> Unit) = Checkpoint(
+        { _, _ ->
+            report(0.0)
+            true
+        },
+        Stage.IMPROVE,
+    )
 }

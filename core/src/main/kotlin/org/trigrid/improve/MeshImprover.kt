@@ -13,10 +13,13 @@ internal class MeshImprover(
     private val mesh: MutableMesh,
     /** Smoothing takes a move below this part of the node's size for none. */
     tolerance: Double,
+    /** Hears of the progress, from 0 to 1, and may throw to end the work. */
+    report: (Double) -> Unit = {},
 ) {
-    private val connectivity = Connectivity(mesh)
+    private val progress = ImproveProgress(report)
+    private val connectivity = Connectivity(mesh, progress)
     private val changes = Changes(mesh)
-    private val ideal = IdealValence(mesh)
+    private val ideal = IdealValence(mesh, progress)
     private val flipper = Flipper(connectivity, ideal, changes)
     private val collapser = Collapser(connectivity, ideal, changes, flipper)
     private val splitter = Splitter(connectivity, ideal, changes, flipper)
@@ -24,40 +27,39 @@ internal class MeshImprover(
     private val trials = PatchTrials(connectivity, ideal, changes, splitter)
     private val worst = WorstSmoother(connectivity, changes, tolerance)
 
-    /** Improves the mesh and compacts it. [report] hears of the progress, from 0 to 1, and may throw to end the work. */
-    fun run(report: (Double) -> Unit) {
-        val progress = ImproveProgress(report)
+    /** Improves the mesh and compacts it. */
+    fun run() {
         progress.stage(0.05)
         changes.touchAll()
-        flipper.runAll()
-        for (round in 0 until ROUNDS) mendValences(progress)
-        for (round in 0 until TRIALS) tryPatches(progress)
+        flipper.runAll(progress)
+        for (round in 0 until ROUNDS) mendValences()
+        for (round in 0 until TRIALS) tryPatches()
         flipper.byQuality = true
         progress.stage(0.15)
-        flipper.runAll()
+        flipper.runAll(progress)
         smoother.sweeps(LAST_SWEEPS, progress)
         for (round in 0 until WORST_ROUNDS) {
             progress.stage(0.04)
             worst.run(progress)
-            flipper.runChanged()
+            flipper.runChanged(progress)
         }
-        mesh.compact()
+        mesh.compact { progress.pass() }
         progress.finish()
     }
 
-    private fun mendValences(progress: ImproveProgress) {
+    private fun mendValences() {
         progress.stage(0.12)
         val count = mesh.nodeCount
         for (n in mesh.fixedNodeCount until count) {
             progress.tick(n, count)
             if (connectivity.outgoing[n] < 0 || !changes.take(n, Changes.SURGERY) || connectivity.isRegular(n)) continue
-            if (collapser.tryNode(n) || splitter.tryNode(n)) flipper.run()
+            if (collapser.tryNode(n) || splitter.tryNode(n)) flipper.run(progress)
         }
         progress.stage(0.05)
         smoother.sweep(progress)
     }
 
-    private fun tryPatches(progress: ImproveProgress) {
+    private fun tryPatches() {
         changes.beginTrials()
         progress.stage(0.09)
         trials.tryLengths(progress)

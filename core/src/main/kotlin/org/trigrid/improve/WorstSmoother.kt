@@ -13,15 +13,16 @@ internal class WorstSmoother(
     private val star = Star()
 
     fun run(progress: ImproveProgress) {
-        markBad()
+        markBad(progress)
         for (sweep in 0 until SWEEPS) sweep(progress)
     }
 
     /** Marks the corners of bad elements and their neighbours. */
-    private fun markBad() {
+    private fun markBad(progress: ImproveProgress) {
         val elements = mesh.elements
         val xy = mesh.xy
         for (t in 0 until mesh.elementCount) {
+            progress.pass()
             val a = elements[3 * t]
             if (a < 0) continue
             val b = elements[3 * t + 1]

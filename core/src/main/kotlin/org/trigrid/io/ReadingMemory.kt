@@ -15,11 +15,11 @@ internal object ReadingMemory {
     /** The text itself, and the bytes it is decoded from. */
     const val TEXT = 3.0
     const val MSH = 8.0
-    const val WKT = 20.0
+    const val WKT = 30.0
     const val POLY = 60.0
 
     /** For each value of a JSON text, its key and its place in the value round it. */
-    const val JSON_VALUE = 200.0
+    const val JSON_VALUE = 120.0
 
     /** An array cannot be longer, whatever the heap. */
     private const val LONGEST = Int.MAX_VALUE - 16L

@@ -1,5 +1,6 @@
 package org.trigrid.mesh
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.geometry.InsertionOrder
 
 /**
@@ -16,34 +17,38 @@ internal object MeshLocality {
 
     /** Orders free nodes along a Hilbert curve, after the fixed ones, and elements by the first of their nodes on it. */
     @JvmStatic
-    fun arrange(mesh: MutableMesh) {
-        val curve = InsertionOrder.alongCurve(mesh.xy, mesh.nodeCount, CURVE_BITS)
+    @JvmOverloads
+    fun arrange(mesh: MutableMesh, checkpoint: Checkpoint = Checkpoint.unheard()) {
+        val curve = InsertionOrder.alongCurve(mesh.xy, checkpoint, mesh.nodeCount, CURVE_BITS)
         val rank = IntArray(mesh.nodeCount)
         for (i in curve.indices) rank[curve[i]] = i
-        val newElement = elementPlaces(mesh, rank)
+        val newElement = elementPlaces(mesh, rank, checkpoint)
         var next = mesh.fixedNodeCount
         val newNode = rank
         for (node in curve) newNode[node] = if (mesh.isFixed(node)) node else next++
-        moveNodes(mesh, newNode)
-        moveElements(mesh, newNode, newElement)
+        moveNodes(mesh, newNode, checkpoint)
+        moveElements(mesh, newNode, newElement, checkpoint)
     }
 
-    private fun elementPlaces(mesh: MutableMesh, rank: IntArray): IntArray {
+    private fun elementPlaces(mesh: MutableMesh, rank: IntArray, checkpoint: Checkpoint): IntArray {
         val elements = mesh.elements
         val firstRank = IntArray(mesh.elementCount) {
+            checkpoint.pass()
             Math.min(rank[elements[3 * it]], Math.min(rank[elements[3 * it + 1]], rank[elements[3 * it + 2]]))
         }
         val starts = IntArray(mesh.nodeCount + 1)
         for (r in firstRank) starts[r + 1]++
         for (r in 1 until starts.size) starts[r] += starts[r - 1]
+        checkpoint.ask()
         for (t in firstRank.indices) firstRank[t] = starts[firstRank[t]]++
         return firstRank
     }
 
-    private fun moveNodes(mesh: MutableMesh, newNode: IntArray) {
+    private fun moveNodes(mesh: MutableMesh, newNode: IntArray, checkpoint: Checkpoint) {
         val xy = DoubleArray(2 * mesh.nodeCount)
         val sizes = DoubleArray(mesh.nodeCount)
         for (node in newNode.indices) {
+            checkpoint.pass()
             val to = newNode[node]
             xy[2 * to] = mesh.xy[2 * node]
             xy[2 * to + 1] = mesh.xy[2 * node + 1]
@@ -53,10 +58,11 @@ internal object MeshLocality {
         mesh.sizes = sizes
     }
 
-    private fun moveElements(mesh: MutableMesh, newNode: IntArray, newElement: IntArray) {
+    private fun moveElements(mesh: MutableMesh, newNode: IntArray, newElement: IntArray, checkpoint: Checkpoint) {
         val elements = IntArray(3 * mesh.elementCount)
         val twins = IntArray(3 * mesh.elementCount)
         for (t in newElement.indices) {
+            checkpoint.pass()
             val to = 3 * newElement[t]
             for (k in 0..2) {
                 val twin = mesh.twins[3 * t + k]

@@ -1,22 +1,29 @@
 package org.trigrid.mesh
 
+import org.trigrid.diagnostics.Checkpoint
+
 /** Gives the nodes of a mesh new numbers and puts its elements in their order. */
 internal object MeshRenumbering {
-    fun apply(mesh: TriMesh, newNumbers: IntArray): TriMesh {
+    fun apply(mesh: TriMesh, newNumbers: IntArray, checkpoint: Checkpoint = Checkpoint.unheard()): TriMesh {
+        checkpoint.ask()
         requirePermutation(newNumbers, mesh.nodeCount)
+        checkpoint.ask()
         val xy = DoubleArray(mesh.xy.size)
         val kinds = ByteArray(mesh.kinds.size)
         for (node in newNumbers.indices) {
+            checkpoint.pass()
             val to = newNumbers[node]
             xy[2 * to] = mesh.xy[2 * node]
             xy[2 * to + 1] = mesh.xy[2 * node + 1]
             kinds[to] = mesh.kinds[node]
         }
         val edges = IntArray(mesh.edges.size) { newNumbers[mesh.edges[it]] }
-        val place = elementPlaces(mesh, newNumbers)
+        val place = elementPlaces(mesh, newNumbers, checkpoint)
+        checkpoint.ask()
         val elements = IntArray(mesh.elements.size)
         val neighbours = IntArray(mesh.neighbours.size)
         for (t in place.indices) {
+            checkpoint.pass()
             val from = 3 * t
             val to = 3 * place[t]
             for (k in 0..2) {
@@ -31,10 +38,11 @@ internal object MeshRenumbering {
     }
 
     /** New place of each element: stable counting sort by the lowest new node. */
-    private fun elementPlaces(mesh: TriMesh, newNumbers: IntArray): IntArray {
+    private fun elementPlaces(mesh: TriMesh, newNumbers: IntArray, checkpoint: Checkpoint): IntArray {
         val place = IntArray(mesh.elementCount)
         val start = IntArray(mesh.nodeCount + 1)
         for (t in place.indices) {
+            checkpoint.pass()
             val a = newNumbers[mesh.elements[3 * t]]
             val b = newNumbers[mesh.elements[3 * t + 1]]
             val c = newNumbers[mesh.elements[3 * t + 2]]
@@ -43,7 +51,10 @@ internal object MeshRenumbering {
             start[low + 1]++
         }
         for (n in 1..mesh.nodeCount) start[n] += start[n - 1]
-        for (t in place.indices) place[t] = start[place[t]]++
+        for (t in place.indices) {
+            checkpoint.pass()
+            place[t] = start[place[t]]++
+        }
         return place
     }
 

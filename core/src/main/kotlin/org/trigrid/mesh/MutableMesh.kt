@@ -79,11 +79,12 @@ internal class MutableMesh(
         if (b >= 0) twins[b] = a
     }
 
-    /** Removes dead elements and dead nodes; the order of the others is kept. */
-    fun compact() {
+    /** Removes dead elements and dead nodes; the order of the others is kept. Calls [pass] for each of them. */
+    fun compact(pass: () -> Unit = {}) {
         val newNode = IntArray(nodeCount)
         var nodes = 0
         for (n in 0 until nodeCount) {
+            pass()
             if (sizes[n].isNaN()) {
                 newNode[n] = -1
                 continue
@@ -96,8 +97,12 @@ internal class MutableMesh(
         nodeCount = nodes
         val newElement = IntArray(elementCount)
         var count = 0
-        for (t in 0 until elementCount) newElement[t] = if (elements[3 * t] < 0) -1 else count++
         for (t in 0 until elementCount) {
+            pass()
+            newElement[t] = if (elements[3 * t] < 0) -1 else count++
+        }
+        for (t in 0 until elementCount) {
+            pass()
             val to = newElement[t]
             if (to < 0) continue
             for (k in 0..2) {

@@ -1,7 +1,9 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
+
 /** Keeps the best of the orders it is offered: the lowest half-bandwidth, then the lowest profile. */
-internal class BestOrder(private val graph: NodeGraph) {
+internal class BestOrder(private val graph: NodeGraph, private val checkpoint: Checkpoint = Checkpoint.unheard()) {
     private val nodeCount = graph.nodeCount
     private val numbers = IntArray(nodeCount)
 
@@ -26,10 +28,12 @@ internal class BestOrder(private val graph: NodeGraph) {
      */
     fun offer(candidate: IntArray): Int {
         for (i in 0 until nodeCount) numbers[candidate[i]] = i
+        checkpoint.ask()
         var widest = 0
         var forward = nodeCount.toLong()
         var backward = nodeCount.toLong()
         for (node in 0 until nodeCount) {
+            checkpoint.pass()
             val i = numbers[node]
             var low = i
             var high = i

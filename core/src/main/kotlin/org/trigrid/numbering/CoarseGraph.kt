@@ -1,5 +1,7 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
+
 /**
  * A small likeness of a large graph, made of groups of nodes that are near each other: where a sweep of the large graph
  * should start can be found out on it at little cost.
@@ -22,19 +24,23 @@ internal class CoarseGraph private constructor(
 
     companion object {
         /** Groups until there are no more than [most] nodes left, or grouping no longer helps. */
-        fun of(graph: NodeGraph, boundary: IntArray, most: Int): CoarseGraph {
+        fun of(graph: NodeGraph, boundary: IntArray, most: Int, checkpoint: Checkpoint = Checkpoint.unheard()): CoarseGraph {
             var current = graph
             val groups = IntArray(graph.nodeCount) { it }
             while (current.nodeCount > most) {
                 val next = IntArray(current.nodeCount)
-                val count = group(current, next)
+                val count = group(current, next, checkpoint)
                 if (count > current.nodeCount / 2) break
-                for (node in groups.indices) groups[node] = next[groups[node]]
-                current = current.quotient(next, count)
+                for (node in groups.indices) {
+                    checkpoint.pass()
+                    groups[node] = next[groups[node]]
+                }
+                current = current.quotient(next, count, checkpoint)
             }
             val along = ArrayList<Int>()
             val places = ArrayList<Int>()
             for (i in boundary.indices) {
+                checkpoint.pass()
                 val g = groups[boundary[i]]
                 if (along.isNotEmpty() && along.last() == g) continue
                 along.add(g)
@@ -45,10 +51,11 @@ internal class CoarseGraph private constructor(
         }
 
         /** A node whose neighbours are all free makes a group with them; what is left over joins a neighbour's group. */
-        private fun group(graph: NodeGraph, groups: IntArray): Int {
+        private fun group(graph: NodeGraph, groups: IntArray, checkpoint: Checkpoint): Int {
             groups.fill(-1)
             var count = 0
             for (node in groups.indices) {
+                checkpoint.pass()
                 if (groups[node] >= 0 || !allFree(graph, groups, node)) continue
                 groups[node] = count
                 for (k in graph.starts[node] until graph.starts[node + 1]) groups[graph.targets[k]] = count
@@ -56,6 +63,7 @@ internal class CoarseGraph private constructor(
             }
             val whole = groups.copyOf()
             for (node in groups.indices) {
+                checkpoint.pass()
                 if (groups[node] >= 0) continue
                 for (k in graph.starts[node] until graph.starts[node + 1]) {
                     if (whole[graph.targets[k]] >= 0) groups[node] = whole[graph.targets[k]]

@@ -1,12 +1,14 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
+
 /**
  * Numbers a connected graph level by level from a set of roots (Cuthill and McKee 1969, Proc. 24th Nat. Conf. ACM,
  * 157-172): the neighbours of the node numbered first, in order of their degree, then those of the second, and so on.
  *
  * One object serves many sweeps over the same graph without allocating.
  */
-internal class CuthillMcKee(private val graph: NodeGraph) {
+internal class CuthillMcKee(private val graph: NodeGraph, private val checkpoint: Checkpoint = Checkpoint.unheard()) {
     /** The nodes in the order of the last whole sweep. */
     val order: IntArray = IntArray(graph.nodeCount)
 
@@ -58,6 +60,7 @@ internal class CuthillMcKee(private val graph: NodeGraph) {
         var head = 0
         while (head < tail) {
             if (head == levelEnd) {
+                checkpoint.pass(tail - levelEnd)
                 lastLevel = levelEnd
                 levelEnd = tail
                 depth++

@@ -1,12 +1,14 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
+
 /**
  * Numbers a connected graph along the merged levels seen from its two ends (Gibbs, Poole and Stockmeyer 1976, SIAM J.
  * Numer. Anal. 13:236-250).
  *
  * Departure: an end may be a set of nodes, such as one side of the domain, instead of a single node.
  */
-internal class GibbsPooleStockmeyer(private val graph: NodeGraph) {
+internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val checkpoint: Checkpoint = Checkpoint.unheard()) {
     private val nodeCount = graph.nodeCount
     private val fromFirst = IntArray(nodeCount)
     private val fromSecond = IntArray(nodeCount)
@@ -50,6 +52,7 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph) {
         }
         var head = 0
         while (head < tail) {
+            checkpoint.pass()
             val node = queue[head++]
             for (k in graph.starts[node] until graph.starts[node + 1]) {
                 val next = graph.targets[k]
@@ -65,6 +68,7 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph) {
     private fun merge(depth: Int) {
         widths = IntArray(depth + 1)
         for (node in 0 until nodeCount) {
+            checkpoint.pass()
             fromSecond[node] = (depth - fromSecond[node]).coerceIn(0, depth)
             level[node] = if (fromFirst[node] == fromSecond[node]) fromFirst[node].also { widths[it]++ } else -1
         }
@@ -73,17 +77,20 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph) {
         val bySecond = IntArray(depth + 1)
         for (part in parts.sortedByDescending { it.size }) {
             for (node in part) {
+                checkpoint.pass()
                 byFirst[fromFirst[node]]++
                 bySecond[fromSecond[node]]++
             }
             var widestFirst = 0
             var widestSecond = 0
             for (node in part) {
+                checkpoint.pass()
                 widestFirst = maxOf(widestFirst, widths[fromFirst[node]] + byFirst[fromFirst[node]])
                 widestSecond = maxOf(widestSecond, widths[fromSecond[node]] + bySecond[fromSecond[node]])
             }
             val chosen = if (widestSecond < widestFirst) fromSecond else fromFirst
             for (node in part) {
+                checkpoint.pass()
                 byFirst[fromFirst[node]] = 0
                 bySecond[fromSecond[node]] = 0
                 level[node] = chosen[node]
@@ -101,6 +108,7 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph) {
             level[seed] = OPEN_AND_FOUND
             var head = 0
             while (head < tail) {
+                checkpoint.pass()
                 val node = queue[head++]
                 for (k in graph.starts[node] until graph.starts[node + 1]) {
                     val next = graph.targets[k]
@@ -139,6 +147,7 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph) {
     }
 
     private fun take(node: Int, l: Int, tail: Int, numbered: BooleanArray): Int {
+        checkpoint.pass()
         var end = tail
         for (k in graph.starts[node] until graph.starts[node + 1]) {
             val next = graph.targets[k]
@@ -154,7 +163,10 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph) {
         val place = IntArray(depth + 2)
         for (l in 0..depth) place[l + 1] = place[l] + widths[l]
         val nodes = IntArray(nodeCount)
-        for (node in NodeGraph.nodesByDegree(graph.starts)) nodes[place[level[node]]++] = node
+        for (node in NodeGraph.nodesByDegree(graph.starts, checkpoint)) {
+            checkpoint.pass()
+            nodes[place[level[node]]++] = node
+        }
         return nodes
     }
 

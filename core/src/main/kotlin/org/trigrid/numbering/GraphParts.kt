@@ -1,5 +1,7 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
+
 /** A connected part of a graph, with node numbers of its own. */
 internal class GraphPart(
     val graph: NodeGraph,
@@ -15,7 +17,7 @@ internal object GraphParts {
      * The connected parts, in the order of their lowest nodes. Each is numbered by a breadth-first sweep, so that
      * later sweeps find neighbours near each other in memory.
      */
-    fun of(graph: NodeGraph, boundaryNodes: IntArray): List<GraphPart> {
+    fun of(graph: NodeGraph, boundaryNodes: IntArray, checkpoint: Checkpoint = Checkpoint.unheard()): List<GraphPart> {
         val nodeCount = graph.nodeCount
         val local = IntArray(nodeCount) { -1 }
         val partOf = IntArray(nodeCount)
@@ -30,6 +32,7 @@ internal object GraphParts {
             queue[tail++] = seed
             var head = first
             while (head < tail) {
+                checkpoint.pass()
                 val node = queue[head++]
                 partOf[node] = bounds.size - 1
                 for (k in graph.starts[node] until graph.starts[node + 1]) {
@@ -41,10 +44,12 @@ internal object GraphParts {
             }
         }
         bounds.add(tail)
+        checkpoint.ask()
         val boundaries = boundariesByPart(boundaryNodes, partOf, local, bounds.size - 1)
         return List(bounds.size - 1) { part ->
+            checkpoint.pass()
             val nodes = queue.copyOfRange(bounds[part], bounds[part + 1])
-            GraphPart(graph.relabelled(nodes, local), nodes, boundaries[part])
+            GraphPart(graph.relabelled(nodes, local, checkpoint), nodes, boundaries[part])
         }
     }
 

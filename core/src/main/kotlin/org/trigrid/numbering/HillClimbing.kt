@@ -1,11 +1,17 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
+
 /**
  * Lowers the half-bandwidth of an order by swapping the numbers of two nodes (Lim, Rodrigues and Xiao 2006, Eur. J.
  * Oper. Res. 174:69-91): a node at the end of a longest edge changes places with one nearer to the middle of its
  * neighbours, when neither then has an edge that long.
  */
-internal class HillClimbing(private val graph: NodeGraph, order: IntArray) {
+internal class HillClimbing(
+    private val graph: NodeGraph,
+    order: IntArray,
+    private val checkpoint: Checkpoint = Checkpoint.unheard(),
+) {
     val order: IntArray = order.copyOf()
     private val numbers = IntArray(order.size).also { for (i in order.indices) it[order[i]] = i }
 
@@ -17,7 +23,10 @@ internal class HillClimbing(private val graph: NodeGraph, order: IntArray) {
         private set
 
     init {
-        for (node in order.indices) halfBandwidth = maxOf(halfBandwidth, reach(node, numbers[node], -1))
+        for (node in order.indices) {
+            checkpoint.pass()
+            halfBandwidth = maxOf(halfBandwidth, reach(node, numbers[node], -1))
+        }
         work += graph.targets.size
     }
 
@@ -35,6 +44,7 @@ internal class HillClimbing(private val graph: NodeGraph, order: IntArray) {
             again = false
             var open = false
             for (i in order.indices) {
+                checkpoint.pass()
                 val node = order[i]
                 if (reach(node, i, -1) < halfBandwidth) continue
                 if (improve(node)) again = true else open = true
@@ -59,6 +69,7 @@ internal class HillClimbing(private val graph: NodeGraph, order: IntArray) {
         val middle = (low + high) / 2
         val far = Math.abs(i - middle)
         for (d in 0 until far) {
+            checkpoint.pass()
             if (trySwap(node, middle - d)) return true
             if (d > 0 && trySwap(node, middle + d)) return true
         }
@@ -92,7 +103,10 @@ internal class HillClimbing(private val graph: NodeGraph, order: IntArray) {
 
     private fun widest(): Int {
         var widest = 0
-        for (i in order.indices) widest = maxOf(widest, reach(order[i], i, -1))
+        for (i in order.indices) {
+            checkpoint.pass()
+            widest = maxOf(widest, reach(order[i], i, -1))
+        }
         work += graph.targets.size
         return widest
     }

@@ -1,5 +1,6 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.mesh.MeshTopology
 import org.trigrid.mesh.TriMesh
 
@@ -27,30 +28,35 @@ public class NodeGraph private constructor(
     public fun neighbours(node: Int): IntArray = targets.copyOfRange(starts[node], starts[node + 1])
 
     /** The connected part of this graph that has the nodes of [order], the node at `order[i]` numbered i. */
-    internal fun relabelled(order: IntArray, newNumbers: IntArray): NodeGraph {
+    internal fun relabelled(order: IntArray, newNumbers: IntArray, checkpoint: Checkpoint): NodeGraph {
         val newStarts = IntArray(order.size + 1)
         for (i in order.indices) newStarts[i + 1] = newStarts[i] + degree(order[i])
+        checkpoint.ask()
         val newTargets = IntArray(newStarts[order.size])
         var at = 0
         for (old in order) {
+            checkpoint.pass()
             for (k in starts[old] until starts[old + 1]) newTargets[at++] = newNumbers[targets[k]]
         }
-        return NodeGraph(newStarts, sortedByDegree(newStarts, newTargets))
+        return NodeGraph(newStarts, sortedByDegree(newStarts, newTargets, checkpoint))
     }
 
     /** The graph of groups of nodes: two are neighbours if nodes of theirs are. [groups] has a group for each node. */
-    internal fun quotient(groups: IntArray, groupCount: Int): NodeGraph {
+    internal fun quotient(groups: IntArray, groupCount: Int, checkpoint: Checkpoint): NodeGraph {
         val firsts = IntArray(groupCount + 1)
         for (g in groups) firsts[g + 1]++
+        checkpoint.ask()
         for (g in 1..groupCount) firsts[g] += firsts[g - 1]
         val members = IntArray(nodeCount)
         val at = firsts.copyOf()
         for (node in 0 until nodeCount) members[at[groups[node]]++] = node
+        checkpoint.ask()
         val newStarts = IntArray(groupCount + 1)
         var newTargets = IntArray(8 * groupCount + 8)
         val seenBy = IntArray(groupCount) { -1 }
         var size = 0
         for (g in 0 until groupCount) {
+            checkpoint.pass()
             seenBy[g] = g
             for (i in firsts[g] until firsts[g + 1]) {
                 for (k in starts[members[i]] until starts[members[i] + 1]) {
@@ -63,32 +69,37 @@ public class NodeGraph private constructor(
             }
             newStarts[g + 1] = size
         }
-        return NodeGraph(newStarts, sortedByDegree(newStarts, newTargets.copyOf(size)))
+        return NodeGraph(newStarts, sortedByDegree(newStarts, newTargets.copyOf(size), checkpoint))
     }
 
     public companion object {
         /** The graph of the nodes of [mesh], two being neighbours if an element has both. */
         @JvmStatic
-        public fun of(mesh: TriMesh): NodeGraph {
+        public fun of(mesh: TriMesh): NodeGraph = of(mesh, Checkpoint.unheard())
+
+        internal fun of(mesh: TriMesh, checkpoint: Checkpoint): NodeGraph {
             val elements = mesh.elements
             val neighbours = mesh.neighbours
             val starts = IntArray(mesh.nodeCount + 1)
             for (half in elements.indices) {
+                checkpoint.pass()
                 if (!MeshTopology.ownsEdge(half, neighbours)) continue
                 starts[elements[half] + 1]++
                 starts[elements[MeshTopology.nextCorner(half)] + 1]++
             }
             for (n in 1 until starts.size) starts[n] += starts[n - 1]
+            checkpoint.ask()
             val targets = IntArray(starts[mesh.nodeCount])
             val at = starts.copyOf()
             for (half in elements.indices) {
+                checkpoint.pass()
                 if (!MeshTopology.ownsEdge(half, neighbours)) continue
                 val a = elements[half]
                 val b = elements[MeshTopology.nextCorner(half)]
                 targets[at[a]++] = b
                 targets[at[b]++] = a
             }
-            return NodeGraph(starts, sortedByDegree(starts, targets))
+            return NodeGraph(starts, sortedByDegree(starts, targets, checkpoint))
         }
 
         /**
@@ -112,14 +123,17 @@ public class NodeGraph private constructor(
                 targets[at[pairs[i]]++] = pairs[i + 1]
                 targets[at[pairs[i + 1]]++] = pairs[i]
             }
-            return NodeGraph(starts, sortedByDegree(starts, targets))
+            return NodeGraph(starts, sortedByDegree(starts, targets, Checkpoint.unheard()))
         }
 
         /** Sorts all rows at once: nodes taken by degree are appended to the rows of their neighbours. */
-        private fun sortedByDegree(starts: IntArray, targets: IntArray): IntArray {
+        private fun sortedByDegree(starts: IntArray, targets: IntArray, checkpoint: Checkpoint): IntArray {
+            checkpoint.ask()
             val sorted = IntArray(targets.size)
+            checkpoint.ask()
             val at = starts.copyOf()
-            for (node in nodesByDegree(starts)) {
+            for (node in nodesByDegree(starts, checkpoint)) {
+                checkpoint.pass()
                 for (k in starts[node] until starts[node + 1]) {
                     sorted[at[targets[k]]++] = node
                 }
@@ -128,15 +142,18 @@ public class NodeGraph private constructor(
         }
 
         /** Nodes by degree, ties by number; a counting sort. */
-        internal fun nodesByDegree(starts: IntArray): IntArray {
+        internal fun nodesByDegree(starts: IntArray, checkpoint: Checkpoint = Checkpoint.unheard()): IntArray {
             val count = starts.size - 1
             var highest = 0
             for (n in 0 until count) highest = maxOf(highest, starts[n + 1] - starts[n])
+            checkpoint.ask()
             val place = IntArray(highest + 2)
             for (n in 0 until count) place[starts[n + 1] - starts[n] + 1]++
+            checkpoint.ask()
             for (d in 1 until place.size) place[d] += place[d - 1]
             val nodes = IntArray(count)
             for (n in 0 until count) nodes[place[starts[n + 1] - starts[n]]++] = n
+            checkpoint.ask()
             return nodes
         }
     }

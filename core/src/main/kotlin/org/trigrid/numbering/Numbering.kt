@@ -1,5 +1,6 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.mesh.TriMesh
 
 /** Renumbers the nodes of meshes for solvers that store a band or a profile. */
@@ -10,12 +11,18 @@ public object Numbering {
      */
     @JvmStatic
     public fun permutation(mesh: TriMesh, method: NumberingMethod): Permutation =
-        Renumbering.order(NodeGraph.of(mesh), Renumbering.boundaryWalks(mesh), method)
+        permutation(mesh, method, Checkpoint.unheard())
+
+    private fun permutation(mesh: TriMesh, method: NumberingMethod, checkpoint: Checkpoint): Permutation =
+        Renumbering.order(NodeGraph.of(mesh, checkpoint), Renumbering.boundaryWalks(mesh, checkpoint), method, checkpoint)
 
     /** [mesh] with its nodes renumbered and its elements in the order of their nodes. */
     @JvmStatic
     public fun renumber(mesh: TriMesh, method: NumberingMethod): TriMesh =
-        if (method == NumberingMethod.NONE) mesh else permutation(mesh, method).apply(mesh)
+        renumber(mesh, method, Checkpoint.unheard())
+
+    internal fun renumber(mesh: TriMesh, method: NumberingMethod, checkpoint: Checkpoint): TriMesh =
+        if (method == NumberingMethod.NONE) mesh else permutation(mesh, method, checkpoint).apply(mesh, checkpoint)
 
     /** Bandwidth and profile of a mesh as it is. */
     @JvmStatic

@@ -1,5 +1,6 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.mesh.TriMesh
 
 /** What a node order costs a band or profile solver. */
@@ -23,34 +24,42 @@ public class NumberingMetrics internal constructor(
     public companion object {
         /** The metrics of a mesh in the order it has. */
         @JvmStatic
-        public fun of(mesh: TriMesh): NumberingMetrics {
+        public fun of(mesh: TriMesh): NumberingMetrics = of(mesh, Checkpoint.unheard())
+
+        internal fun of(mesh: TriMesh, checkpoint: Checkpoint): NumberingMetrics {
             val lowest = IntArray(mesh.nodeCount) { it }
             val elements = mesh.elements
             for (at in elements.indices step 3) {
+                checkpoint.pass()
                 val low = minOf(elements[at], minOf(elements[at + 1], elements[at + 2]))
                 for (k in at..at + 2) if (low < lowest[elements[k]]) lowest[elements[k]] = low
             }
-            return ofLowest(lowest)
+            return ofLowest(lowest, checkpoint)
         }
 
         /** The metrics of [graph] in the order that [permutation] gives. */
         @JvmStatic
         public fun of(graph: NodeGraph, permutation: Permutation): NumberingMetrics =
-            ofNumbers(graph, permutation.newNumbersShared())
+            of(graph, permutation, Checkpoint.unheard())
 
-        internal fun ofNumbers(graph: NodeGraph, numbers: IntArray): NumberingMetrics {
+        internal fun of(graph: NodeGraph, permutation: Permutation, checkpoint: Checkpoint): NumberingMetrics =
+            ofNumbers(graph, permutation.newNumbersShared(), checkpoint)
+
+        private fun ofNumbers(graph: NodeGraph, numbers: IntArray, checkpoint: Checkpoint): NumberingMetrics {
             val lowest = IntArray(graph.nodeCount)
             for (node in 0 until graph.nodeCount) {
+                checkpoint.pass()
                 var low = numbers[node]
                 for (k in graph.starts[node] until graph.starts[node + 1]) low = minOf(low, numbers[graph.targets[k]])
                 lowest[numbers[node]] = low
             }
-            return ofLowest(lowest)
+            return ofLowest(lowest, checkpoint)
         }
 
-        private fun ofLowest(lowest: IntArray): NumberingMetrics {
+        private fun ofLowest(lowest: IntArray, checkpoint: Checkpoint): NumberingMetrics {
             var widest = 0
             var profile = 0L
+            checkpoint.ask()
             for (i in lowest.indices) {
                 val width = i - lowest[i]
                 widest = maxOf(widest, width)

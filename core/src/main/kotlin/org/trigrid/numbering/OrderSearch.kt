@@ -1,5 +1,7 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
+
 /**
  * Searches for an order of low bandwidth of a connected graph, cheapest means first, within a budget of work.
  *
@@ -15,10 +17,15 @@ package org.trigrid.numbering
  *
  * @param boundary the nodes on the boundary, walk by walk; may be empty.
  */
-internal class OrderSearch(private val graph: NodeGraph, private val boundary: IntArray, private val budget: Long) {
-    private val sweep = CuthillMcKee(graph)
-    private val merged = GibbsPooleStockmeyer(graph)
-    private val best = BestOrder(graph)
+internal class OrderSearch(
+    private val graph: NodeGraph,
+    private val boundary: IntArray,
+    private val budget: Long,
+    private val checkpoint: Checkpoint = Checkpoint.unheard(),
+) {
+    private val sweep = CuthillMcKee(graph, checkpoint)
+    private val merged = GibbsPooleStockmeyer(graph, checkpoint)
+    private val best = BestOrder(graph, checkpoint)
     private var otherWork = 0L
 
     /** Starts that gave an order, with its half-bandwidth. */
@@ -48,9 +55,9 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
     }
 
     private fun fromLikeness() {
-        val coarse = CoarseGraph.of(graph, boundary, COARSE)
+        val coarse = CoarseGraph.of(graph, boundary, COARSE, checkpoint)
         otherWork += 3L * graph.targets.size
-        val search = OrderSearch(coarse.graph, coarse.boundary, COARSE_BUDGET)
+        val search = OrderSearch(coarse.graph, coarse.boundary, COARSE_BUDGET, checkpoint)
         search.search()
         for (start in search.bestStarts(LARGE_STARTS)) {
             if (best.halfBandwidth < Int.MAX_VALUE && !within(MERGED)) return
@@ -66,7 +73,7 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
     }
 
     private fun fromEnds() {
-        val search = PseudoPeripheral(graph)
+        val search = PseudoPeripheral(graph, checkpoint)
         val ends = search.ends()
         otherWork += search.work
         for (end in 0..1) {
@@ -165,7 +172,7 @@ internal class OrderSearch(private val graph: NodeGraph, private val boundary: I
 
     private fun climb() {
         if (!within(MERGED)) return
-        val climbing = HillClimbing(graph, best.order)
+        val climbing = HillClimbing(graph, best.order, checkpoint)
         climbing.climb(budget - work)
         otherWork += climbing.work
         best.offer(climbing.order)

@@ -1,5 +1,7 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
+
 /**
  * The paper's renumbering (section 4): Cuthill-McKee from each boundary node of lowest degree, the one with the lowest
  * bandwidth kept, the first of several.
@@ -12,11 +14,11 @@ internal object PaperNumbering {
     private const val SMALL_BUDGET = 40_000_000L
 
     /** @param boundary may be empty; then all nodes count as boundary. */
-    fun order(graph: NodeGraph, boundary: IntArray): IntArray {
+    fun order(graph: NodeGraph, boundary: IntArray, checkpoint: Checkpoint = Checkpoint.unheard()): IntArray {
         val nodes = if (boundary.isEmpty()) IntArray(graph.nodeCount) { it } else boundary
         val lowest = nodes.minOf { graph.degree(it) }
         val budget = maxOf(SMALL_BUDGET, PASSES * graph.targets.size)
-        val sweep = CuthillMcKee(graph)
+        val sweep = CuthillMcKee(graph, checkpoint)
         val root = IntArray(1)
         var limit = Int.MAX_VALUE
         var best = IntArray(0)

@@ -1,5 +1,7 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
+import org.trigrid.mesh.MeshRenumbering
 import org.trigrid.mesh.TriMesh
 
 /** New numbers for the nodes of a mesh: each number from 0 to size - 1 exactly once. Immutable. */
@@ -26,7 +28,9 @@ public class Permutation private constructor(private val newNumbers: IntArray, p
     public fun reversed(): Permutation = ofOrder(IntArray(size) { oldNumbers[size - 1 - it] })
 
     /** [mesh] with its nodes renumbered. */
-    public fun apply(mesh: TriMesh): TriMesh = mesh.renumbered(newNumbers)
+    public fun apply(mesh: TriMesh): TriMesh = apply(mesh, Checkpoint.unheard())
+
+    internal fun apply(mesh: TriMesh, checkpoint: Checkpoint): TriMesh = MeshRenumbering.apply(mesh, newNumbers, checkpoint)
 
     internal fun newNumbersShared(): IntArray = newNumbers
 

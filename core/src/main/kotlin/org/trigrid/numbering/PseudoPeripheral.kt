@@ -1,14 +1,16 @@
 package org.trigrid.numbering
 
+import org.trigrid.diagnostics.Checkpoint
+
 /** Finds the two ends of a long shortest path through a connected graph (George and Liu 1979, ACM TOMS 5:284-295). */
-internal class PseudoPeripheral(private val graph: NodeGraph) {
-    private val sweep = CuthillMcKee(graph)
+internal class PseudoPeripheral(private val graph: NodeGraph, private val checkpoint: Checkpoint = Checkpoint.unheard()) {
+    private val sweep = CuthillMcKee(graph, checkpoint)
 
     val work: Long get() = sweep.work
 
     /** Two nodes as far apart as the search could find; the same node twice in a graph of one node. */
     fun ends(): IntArray {
-        var end = NodeGraph.nodesByDegree(graph.starts)[0]
+        var end = NodeGraph.nodesByDegree(graph.starts, checkpoint)[0]
         var depth = -1
         val root = IntArray(1)
         for (round in 0 until ROUNDS) {

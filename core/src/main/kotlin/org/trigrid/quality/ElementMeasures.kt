@@ -1,9 +1,10 @@
 package org.trigrid.quality
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.mesh.TriMesh
 
 /** Quality and angles of every element of a mesh. */
-internal class ElementMeasures(val mesh: TriMesh) {
+internal class ElementMeasures(val mesh: TriMesh, val checkpoint: Checkpoint = Checkpoint.unheard()) {
     val elementCount: Int = mesh.elementCount
     val qualities: DoubleArray = DoubleArray(elementCount)
 
@@ -15,7 +16,10 @@ internal class ElementMeasures(val mesh: TriMesh) {
     val angleHistogram: IntArray = IntArray(ANGLE_CLASSES)
 
     init {
-        for (t in 0 until elementCount) measure(t)
+        for (t in 0 until elementCount) {
+            checkpoint.pass()
+            measure(t)
+        }
     }
 
     private fun measure(t: Int) {
@@ -54,7 +58,10 @@ internal class ElementMeasures(val mesh: TriMesh) {
 
     fun qualityHistogram(): IntArray {
         val classes = IntArray(QUALITY_CLASSES)
-        for (q in qualities) classes[(q * QUALITY_CLASSES).toInt().coerceIn(0, QUALITY_CLASSES - 1)]++
+        for (q in qualities) {
+            checkpoint.pass()
+            classes[(q * QUALITY_CLASSES).toInt().coerceIn(0, QUALITY_CLASSES - 1)]++
+        }
         return classes
     }
 
@@ -64,6 +71,7 @@ internal class ElementMeasures(val mesh: TriMesh) {
         val found = IntArray(wanted)
         var size = 0
         for (t in 0 until elementCount) {
+            checkpoint.pass()
             if (wanted == 0 || size == wanted && !(qualities[t] < qualities[found[size - 1]])) continue
             var at = if (size < wanted) size++ else size - 1
             while (at > 0 && qualities[t] < qualities[found[at - 1]]) {

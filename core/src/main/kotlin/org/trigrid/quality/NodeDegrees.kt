@@ -1,5 +1,6 @@
 package org.trigrid.quality
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.mesh.MeshTopology
 import org.trigrid.mesh.TriMesh
 
@@ -20,11 +21,12 @@ internal class NodeDegrees private constructor(
     companion object {
         private const val CLASSES = 32
 
-        fun of(mesh: TriMesh): NodeDegrees {
+        fun of(mesh: TriMesh, checkpoint: Checkpoint): NodeDegrees {
             val degrees = IntArray(mesh.nodeCount)
             val boundary = BooleanArray(mesh.nodeCount)
             val elements = mesh.elements
             for (half in elements.indices) {
+                checkpoint.pass()
                 if (!MeshTopology.ownsEdge(half, mesh.neighbours)) continue
                 val a = elements[half]
                 val b = elements[MeshTopology.nextCorner(half)]

@@ -1,5 +1,6 @@
 package org.trigrid.quality
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.mesh.TriMesh
 
 /**
@@ -15,7 +16,7 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
 
     /** Quality of the worst element, 0..1. */
     @get:JvmName("minQuality")
-    public val minQuality: Double = measures.qualities.minOrNaN()
+    public val minQuality: Double = measures.qualities.minOrNaN(measures.checkpoint)
 
     /** 5 % of the elements are worse than this. */
     @get:JvmName("quality05")
@@ -23,15 +24,15 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
 
     /** Mean quality of the elements, 0..1. */
     @get:JvmName("meanQuality")
-    public val meanQuality: Double = measures.qualities.compensatedMean()
+    public val meanQuality: Double = measures.qualities.compensatedMean(measures.checkpoint)
 
     /** Share of elements with a quality below 0.5, 0..1. */
     @get:JvmName("shareBelowHalf")
-    public val shareBelowHalf: Double = measures.qualities.count { it < 0.5 } / elementCount.toDouble()
+    public val shareBelowHalf: Double = measures.qualities.count(measures.checkpoint) { it < 0.5 } / elementCount.toDouble()
 
     /** Smallest angle of all elements, in degrees. */
     @get:JvmName("minAngle")
-    public val minAngle: Double = measures.minAngles.minOrNaN()
+    public val minAngle: Double = measures.minAngles.minOrNaN(measures.checkpoint)
 
     /** Smallest angle that 1 % of the elements fall below. */
     @get:JvmName("minAngle01")
@@ -43,15 +44,15 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
 
     /** Mean over the elements of their smallest angle. */
     @get:JvmName("meanMinAngle")
-    public val meanMinAngle: Double = measures.minAngles.compensatedMean()
+    public val meanMinAngle: Double = measures.minAngles.compensatedMean(measures.checkpoint)
 
     /** Largest angle of all elements, in degrees. */
     @get:JvmName("maxAngle")
-    public val maxAngle: Double = measures.maxAngles.fold(Double.NaN) { m, v -> if (v <= m) m else v }
+    public val maxAngle: Double = measures.maxAngles.maxOrNaN(measures.checkpoint)
 
     /** Elements whose largest angle is above 120 degrees. */
     @get:JvmName("above120")
-    public val above120: Int = measures.maxAngles.count { it > 120.0 }
+    public val above120: Int = measures.maxAngles.count(measures.checkpoint) { it > 120.0 }
 
     /** Share of interior nodes with six neighbours, 0..1; NaN without interior nodes. */
     @get:JvmName("degree6")
@@ -67,22 +68,26 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
 
     /** The worst elements, worst first. */
     @get:JvmName("worstElements")
-    public val worstElements: List<WorstElement> = measures.worst(worstCount)
+    public val worstElements: List<WorstElement>
 
-    private val qualities = measures.qualityHistogram()
+    private val qualities: IntArray
     private val angles = measures.angleHistogram
-    private val smallAngles = intArrayOf(10, 20, 30).map { limit -> measures.minAngles.count { it < limit } }
+    private val smallAngles: List<Int>
 
     init {
-        val degrees = NodeDegrees.of(measures.mesh)
+        val checkpoint = measures.checkpoint
+        worstElements = measures.worst(worstCount)
+        qualities = measures.qualityHistogram()
+        smallAngles = intArrayOf(10, 20, 30).map { limit -> measures.minAngles.count(checkpoint) { it < limit } }
+        val degrees = NodeDegrees.of(measures.mesh, checkpoint)
         interiorNodeCount = degrees.interiorNodeCount
         degree6 = degrees.share(6, 6)
         degree567 = degrees.share(5, 7)
         val none = elementCount == 0
         // From here on the arrays are reordered.
-        quality05 = if (none) Double.NaN else Percentile.of(measures.qualities, 5.0)
-        minAngle01 = if (none) Double.NaN else Percentile.of(measures.minAngles, 1.0)
-        minAngle05 = if (none) Double.NaN else Percentile.of(measures.minAngles, 5.0)
+        quality05 = if (none) Double.NaN else Percentile.of(measures.qualities, 5.0, checkpoint)
+        minAngle01 = if (none) Double.NaN else Percentile.of(measures.minAngles, 1.0, checkpoint)
+        minAngle05 = if (none) Double.NaN else Percentile.of(measures.minAngles, 5.0, checkpoint)
     }
 
     /** Elements by quality: 10 classes of width 0.1 from 0 to 1; a quality below 0 counts in the first. A copy. */
@@ -116,16 +121,42 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
             require(worstCount >= 0) { "worstCount must not be negative: $worstCount" }
             return QualityReport(ElementMeasures(mesh), worstCount)
         }
+
+        /** As [of], in a run that may be cancelled. */
+        internal fun of(mesh: TriMesh, checkpoint: Checkpoint): QualityReport = QualityReport(ElementMeasures(mesh, checkpoint), WORST)
     }
 }
 
-private fun DoubleArray.minOrNaN(): Double = if (isEmpty()) Double.NaN else min()
+private inline fun DoubleArray.visit(checkpoint: Checkpoint, action: (Double) -> Unit) {
+    for (v in this) {
+        checkpoint.pass()
+        action(v)
+    }
+}
+
+private fun DoubleArray.minOrNaN(checkpoint: Checkpoint): Double {
+    var least = Double.NaN
+    visit(checkpoint) { if (!(it >= least)) least = it }
+    return least
+}
+
+private fun DoubleArray.maxOrNaN(checkpoint: Checkpoint): Double {
+    var most = Double.NaN
+    visit(checkpoint) { if (!(it <= most)) most = it }
+    return most
+}
+
+private inline fun DoubleArray.count(checkpoint: Checkpoint, isMeant: (Double) -> Boolean): Int {
+    var count = 0
+    visit(checkpoint) { if (isMeant(it)) count++ }
+    return count
+}
 
 /** Mean by Neumaier's compensated sum. */
-private fun DoubleArray.compensatedMean(): Double {
+private fun DoubleArray.compensatedMean(checkpoint: Checkpoint): Double {
     var sum = 0.0
     var lost = 0.0
-    for (v in this) {
+    visit(checkpoint) { v ->
         val t = sum + v
         lost += if (Math.abs(sum) >= Math.abs(v)) (sum - t) + v else (v - t) + sum
         sum = t

@@ -1,5 +1,6 @@
 package org.trigrid.spacing
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.geometry.InsertionOrder
 import org.trigrid.geometry.IntList
 
@@ -13,9 +14,14 @@ import org.trigrid.geometry.IntList
  * @param xy x0, y0, x1, y1, … of the sources; not kept.
  * @param sizes h of each source; infinity for one that never wins; not kept.
  */
-internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: Double) {
+internal class ConeTree(
+    xy: DoubleArray,
+    sizes: DoubleArray,
+    private val slope: Double,
+    private val checkpoint: Checkpoint = Checkpoint.unheard(),
+) {
     private val count = sizes.size
-    private val order = InsertionOrder.alongCurve(xy)
+    private val order = InsertionOrder.alongCurve(xy, checkpoint)
     private val place = IntArray(count)
     private val sourceX = DoubleArray(count)
     private val sourceY = DoubleArray(count)
@@ -43,6 +49,7 @@ internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: 
         leafStart = IntArray(leaves + 1) { (it.toLong() * count / leaves).toInt() }
         arrange(xy)
         for (i in 0 until count) {
+            checkpoint.pass()
             val source = order[i]
             place[source] = i
             sourceX[i] = xy[2 * source]
@@ -88,6 +95,7 @@ internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: 
         var low = start
         var high = end - 1
         while (low < high) {
+            if (high - low > LONG_RANGE) checkpoint.ask() else checkpoint.pass()
             val pivot = order[medianOfThree(xy, axis, low, high)]
             var i = low
             var j = high
@@ -241,5 +249,8 @@ internal class ConeTree(xy: DoubleArray, sizes: DoubleArray, private val slope: 
 
     private companion object {
         const val LEAF = 8
+
+        /** Sources whose sorting takes a millisecond or so. */
+        const val LONG_RANGE = 50_000
     }
 }

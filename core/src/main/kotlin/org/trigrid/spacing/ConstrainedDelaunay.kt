@@ -1,5 +1,7 @@
 package org.trigrid.spacing
 
+import java.util.BitSet
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.diagnostics.Fault
 import org.trigrid.diagnostics.FaultKind
 import org.trigrid.diagnostics.InvalidDomainException
@@ -7,7 +9,6 @@ import org.trigrid.domain.Domain
 import org.trigrid.geometry.IntList
 import org.trigrid.spacing.DelaunayBuilder.Companion.GHOST
 import org.trigrid.spacing.DelaunayBuilder.Companion.NONE
-import java.util.BitSet
 
 /**
  * Constrained Delaunay triangulation of a domain: its nodes and no others, all its segments, the triangles inside it.
@@ -37,23 +38,28 @@ internal class ConstrainedDelaunay private constructor(
          *   has passed the check has none.
          */
         @JvmStatic
-        fun of(domain: Domain): ConstrainedDelaunay {
-            val builder = DelaunayBuilder(domain.xy)
+        @JvmOverloads
+        fun of(domain: Domain, checkpoint: Checkpoint = Checkpoint.unheard()): ConstrainedDelaunay {
+            val builder = DelaunayBuilder(domain.xy, checkpoint)
             builder.insertAll()
-            recoverSegments(builder, domain)
+            recoverSegments(builder, domain, checkpoint)
             return compact(builder, insideTriangles(builder))
         }
 
         /** Missing segments go in shuffled, by a fixed rule, so that no order of them is a slow one. */
-        private fun recoverSegments(builder: DelaunayBuilder, domain: Domain) {
+        private fun recoverSegments(builder: DelaunayBuilder, domain: Domain, checkpoint: Checkpoint) {
             val recovery = SegmentRecovery(builder)
             val missing = IntList()
             for (s in 0 until domain.segmentCount) {
+                checkpoint.pass()
                 if (!recovery.markIfPresent(domain.segmentStart(s), domain.segmentEnd(s), domain.isEmbedded(s))) missing.add(s)
             }
             val order = IntArray(missing.size) { missing[it] }
             order.shuffle(kotlin.random.Random(order.size))
-            for (s in order) recovery.recover(domain.segmentStart(s), domain.segmentEnd(s), domain.isEmbedded(s))
+            for (s in order) {
+                checkpoint.pass()
+                recovery.recover(domain.segmentStart(s), domain.segmentEnd(s), domain.isEmbedded(s))
+            }
             recovery.relaxAll()
         }
 
@@ -61,9 +67,11 @@ internal class ConstrainedDelaunay private constructor(
             val inside = BooleanArray(builder.triangleCount)
             val todo = IntList()
             for (e in 0 until 3 * builder.triangleCount) {
+                builder.checkpoint.pass()
                 if (builder.mark[e] == SegmentRecovery.INSIDE) enter(e / 3, inside, todo)
             }
             while (todo.size > 0) {
+                builder.checkpoint.pass()
                 val first = 3 * todo.removeLast()
                 for (e in first..first + 2) {
                     val mark = builder.mark[e]
@@ -92,11 +100,13 @@ internal class ConstrainedDelaunay private constructor(
             val newNumber = IntArray(inside.size)
             var count = 0
             for (t in inside.indices) newNumber[t] = if (inside[t]) count++ else NONE
+            builder.checkpoint.ask()
             val nodes = IntArray(3 * count)
             val twins = IntArray(3 * count)
             val edgeOfNode = IntArray(builder.nodeCount).apply { fill(NONE) }
             val embedded = BitSet()
             for (old in 0 until 3 * inside.size) {
+                builder.checkpoint.pass()
                 if (!inside[old / 3]) continue
                 val e = 3 * newNumber[old / 3] + old % 3
                 val twin = builder.twin[old]

@@ -1,5 +1,6 @@
 package org.trigrid.spacing
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.diagnostics.Fault
 import org.trigrid.diagnostics.FaultKind
 import org.trigrid.diagnostics.InvalidDomainException
@@ -19,7 +20,7 @@ import org.trigrid.geometry.Predicates
  * fast on points of one circle or lattice; among nodes that are all but in line, as on a straight side that is not
  * parallel to an axis, double-doubles may, since undecided slivers there would grow into long fans.
  */
-internal class DelaunayBuilder(val xy: DoubleArray) {
+internal class DelaunayBuilder(val xy: DoubleArray, val checkpoint: Checkpoint = Checkpoint.unheard()) {
     val nodeCount: Int = xy.size / 2
     val origin = IntArray(Math.max(0, 6 * nodeCount - 6))
     val twin = IntArray(origin.size)
@@ -39,10 +40,13 @@ internal class DelaunayBuilder(val xy: DoubleArray) {
 
     /** Inserts all points. */
     fun insertAll() {
-        val order = InsertionOrder.of(xy)
+        val order = InsertionOrder.of(xy, checkpoint)
         moveUsableTripleFirst(order)
         startWith(order[0], order[1], order[2])
-        for (i in 3 until order.size) insert(order[i])
+        for (i in 3 until order.size) {
+            checkpoint.pass()
+            insert(order[i])
+        }
     }
 
     /** Brings the first point that is not on the line of the first two to the third place. */
@@ -219,6 +223,7 @@ internal class DelaunayBuilder(val xy: DoubleArray) {
     /** Flips until every unconstrained edge within reach of the pushed ones is locally Delaunay. */
     fun legaliseAll(startOf: IntArray) {
         while (stackSize > 0) {
+            checkpoint.pass()
             val e = stack[--stackSize]
             if (mark[e] == 0.toByte() && mustFlip(e)) {
                 val f = twin[e]

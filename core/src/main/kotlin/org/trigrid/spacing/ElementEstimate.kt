@@ -1,5 +1,7 @@
 package org.trigrid.spacing
 
+import org.trigrid.diagnostics.Checkpoint
+
 /**
  * How many elements a size field asks for: the integral of `4 / (sqrt(3) h^2)` over the domain, each equilateral triangle
  * of side h having the area `sqrt(3) h^2 / 4`.
@@ -8,7 +10,11 @@ package org.trigrid.spacing
  * Of many triangles, as a boundary of a million nodes has, only a sample is worked out: they are sorted into classes by what
  * they could hold at most, and each class counts as much more than its sample as its bound is larger.
  */
-internal class ElementEstimate(private val mesh: ConstrainedDelaunay, private val field: SizeField) {
+internal class ElementEstimate(
+    private val mesh: ConstrainedDelaunay,
+    private val field: SizeField,
+    private val checkpoint: Checkpoint,
+) {
     private val longestAllowed = if (field is BoundedField) field.detail else Double.POSITIVE_INFINITY
 
     /** 9 per piece that waits: x, y, size of its three corners. */
@@ -20,11 +26,18 @@ internal class ElementEstimate(private val mesh: ConstrainedDelaunay, private va
     /** The expected number of elements; never below the number that the boundary alone makes necessary. */
     fun total(): Double {
         val sizes = DoubleArray(mesh.xy.size / 2) { node ->
+            checkpoint.pass()
             if (mesh.edgeOfNode[node] < 0) 1.0 else field.sizeAt(mesh.xy[2 * node], mesh.xy[2 * node + 1], field.hintOf(node))
         }
-        val classes = TriangleClasses(DoubleArray(mesh.triangleCount) { mostElements(it, sizes) })
+        val classes = TriangleClasses(DoubleArray(mesh.triangleCount) {
+            checkpoint.pass()
+            mostElements(it, sizes)
+        })
         piecesLeft = MAX_PIECES + PIECES_PER_TRIANGLE * classes.sampleSize
-        for (t in 0 until mesh.triangleCount) if (classes.isSampled(t)) classes.add(t, elementsOf(t, sizes))
+        for (t in 0 until mesh.triangleCount) {
+            checkpoint.pass()
+            if (classes.isSampled(t)) classes.add(t, elementsOf(t, sizes))
+        }
         return Math.max(classes.total(), mesh.triangleCount.toDouble())
     }
 
@@ -62,6 +75,7 @@ internal class ElementEstimate(private val mesh: ConstrainedDelaunay, private va
 
     /** Elements of the last piece, or 0 when it was divided and waits in two halves. */
     private fun elementsOrDivide(): Double {
+        checkpoint.pass(STEPS_PER_PIECE)
         val p = 9 * --pieceCount
         val ax = pieces[p]
         val ay = pieces[p + 1]
@@ -144,6 +158,9 @@ internal class ElementEstimate(private val mesh: ConstrainedDelaunay, private va
         /** Pieces that may be divided: many in few triangles, or some in each of many. */
         const val MAX_PIECES = 1_000_000L
         const val PIECES_PER_TRIANGLE = 50L
+
+        /** A piece asks the field three times, which among thousands of holes takes long. */
+        const val STEPS_PER_PIECE = 32
     }
 }
 

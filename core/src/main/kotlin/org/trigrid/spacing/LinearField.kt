@@ -1,6 +1,7 @@
 package org.trigrid.spacing
 
 import java.util.BitSet
+import org.trigrid.diagnostics.Checkpoint
 
 /**
  * Sizes that pass smoothly from the spacing of one boundary to that of the next: linear in each triangle of the domain's
@@ -24,8 +25,9 @@ internal class LinearField(
     private val reach: DoubleArray,
     private val cones: ConeTree,
     private val gradation: Double,
+    checkpoint: Checkpoint = Checkpoint.unheard(),
 ) : SizeField {
-    private val walk = TriangleWalk(mesh)
+    private val walk = TriangleWalk(mesh, checkpoint)
     private var lastSource = -1
 
     /** Of the corners of the triangle at hand, at the place at hand: what the gradation allows. */
@@ -38,6 +40,7 @@ internal class LinearField(
 
     init {
         for (t in 0 until mesh.triangleCount) {
+            checkpoint.pass()
             if (slopeIn(t) > gradation * (1 + 1e-9)) steep.set(t)
             for (k in 3 * t..3 * t + 2) {
                 val node = mesh.nodes[k]

@@ -1,5 +1,6 @@
 package org.trigrid.spacing
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.diagnostics.InvalidSizeException
 import org.trigrid.geometry.IntList
 
@@ -26,6 +27,7 @@ internal class SampledSizes(
     private val extent: Double,
     private val locator: InsideLocator,
     gradation: Double,
+    private val checkpoint: Checkpoint = Checkpoint.unheard(),
 ) {
     /** Per cell: the first of its four children, or -1. */
     private val children = IntList()
@@ -95,6 +97,7 @@ internal class SampledSizes(
     }
 
     private fun sampleAt(gx: Int, gy: Int): Int {
+        checkpoint.pass()
         val key = gx.toLong() * (FULL + 1L) + gy
         val known = samples.find(key)
         if (known >= 0) return known
@@ -112,8 +115,11 @@ internal class SampledSizes(
 
     private fun limited(gradation: Double): DoubleArray {
         val xy = samples.places()
-        val cones = ConeTree(xy, DoubleArray(samples.size) { samples.value(it) }, gradation)
-        return DoubleArray(samples.size) { cones.min(xy[2 * it], xy[2 * it + 1], it, UNLIMITED) }
+        val cones = ConeTree(xy, DoubleArray(samples.size) { samples.value(it) }, gradation, checkpoint)
+        return DoubleArray(samples.size) {
+            checkpoint.pass()
+            cones.min(xy[2 * it], xy[2 * it + 1], it, UNLIMITED)
+        }
     }
 
     /** The limited size at a place; that of the nearest place of the box when it lies outside. */

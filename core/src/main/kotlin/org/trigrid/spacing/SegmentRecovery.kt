@@ -29,7 +29,10 @@ internal class SegmentRecovery(private val mesh: DelaunayBuilder) {
     private val chain = PolygonChain()
 
     init {
-        for (e in 0 until 3 * mesh.triangleCount) if (origin[e] != GHOST) startOf[origin[e]] = e
+        for (e in 0 until 3 * mesh.triangleCount) {
+            mesh.checkpoint.pass()
+            if (origin[e] != GHOST) startOf[origin[e]] = e
+        }
     }
 
     /** Half-edge from [u] to [v], or NONE; costs as much as the smaller of the two nodes' degrees. */
@@ -75,7 +78,10 @@ internal class SegmentRecovery(private val mesh: DelaunayBuilder) {
 
     /** Flips whatever doubtful decisions on the way have left; few or none. */
     fun relaxAll() {
-        for (e in 0 until 3 * mesh.triangleCount) if (e < twin[e] && mark[e] == NO_MARK) mesh.push(e)
+        for (e in 0 until 3 * mesh.triangleCount) {
+            mesh.checkpoint.pass()
+            if (e < twin[e] && mark[e] == NO_MARK) mesh.push(e)
+        }
         mesh.legaliseAll(startOf)
     }
 

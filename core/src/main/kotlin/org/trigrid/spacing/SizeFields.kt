@@ -1,5 +1,6 @@
 package org.trigrid.spacing
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.domain.Domain
 import org.trigrid.geometry.IntList
 
@@ -7,18 +8,35 @@ import org.trigrid.geometry.IntList
 internal object SizeFields {
     /** The field of a valid domain, whose triangulation is [mesh]. */
     @JvmStatic
-    fun create(domain: Domain, rules: SizeRules, mesh: ConstrainedDelaunay): SizeField {
+    @JvmOverloads
+    fun create(
+        domain: Domain,
+        rules: SizeRules,
+        mesh: ConstrainedDelaunay,
+        checkpoint: Checkpoint = Checkpoint.unheard(),
+    ): SizeField {
         val gradation = rules.gradation
+        checkpoint.ask()
         val sizes = nodeSizes(domain)
-        val cones = ConeTree(domain.xy, sizes, gradation)
+        checkpoint.ask()
+        val cones = ConeTree(domain.xy, sizes, gradation, checkpoint)
         val limited = DoubleArray(domain.nodeCount) {
+            checkpoint.pass()
             cones.min(domain.x(it), domain.y(it), it, Double.POSITIVE_INFINITY)
         }
         val ofBoundary = when (rules.sizes) {
-            Sizes.SMOOTH -> LinearField(mesh, limited, typicalSizes(domain, limited), reaches(domain), cones, gradation)
+            Sizes.SMOOTH -> linearField(domain, mesh, limited, cones, gradation, checkpoint)
             Sizes.GRADE -> GradedField(cones)
         }
-        return bounded(ofBoundary, domain, limited, rules)
+        return bounded(ofBoundary, domain, limited, rules, checkpoint)
+    }
+
+    private fun linearField(
+        domain: Domain, mesh: ConstrainedDelaunay, sizes: DoubleArray, cones: ConeTree, gradation: Double, checkpoint: Checkpoint,
+    ): LinearField {
+        val typical = typicalSizes(domain, sizes, checkpoint)
+        val reaches = reaches(domain, checkpoint)
+        return LinearField(mesh, sizes, typical, reaches, cones, gradation, checkpoint)
     }
 
     /**
@@ -26,19 +44,24 @@ internal object SizeFields {
      * domain is wide against its sizes.
      */
     @JvmStatic
-    fun estimateElements(mesh: ConstrainedDelaunay, field: SizeField): Double = ElementEstimate(mesh, field).total()
+    @JvmOverloads
+    fun estimateElements(mesh: ConstrainedDelaunay, field: SizeField, checkpoint: Checkpoint = Checkpoint.unheard()): Double =
+        ElementEstimate(mesh, field, checkpoint).total()
 
-    private fun bounded(ofBoundary: SizeField, domain: Domain, sizes: DoubleArray, rules: SizeRules): SizeField {
+    private fun bounded(
+        ofBoundary: SizeField, domain: Domain, sizes: DoubleArray, rules: SizeRules, checkpoint: Checkpoint,
+    ): SizeField {
         val function = rules.function
         if (function == null && rules.minSize == 0.0 && rules.maxSize == Double.POSITIVE_INFINITY) return ofBoundary
-        val user = function?.let { sample(it, domain, rules.gradation) }
+        val user = function?.let { sample(it, domain, rules.gradation, checkpoint) }
         val coarse = IntList()
         for (node in sizes.indices) {
+            checkpoint.pass()
             val ofUser = user?.sizeAt(domain.x(node), domain.y(node)) ?: Double.POSITIVE_INFINITY
             if (sizes[node] > Math.min(rules.maxSize, ofUser)) coarse.add(node)
         }
         val coarseXy = DoubleArray(2 * coarse.size) { domain.xy[2 * coarse[it / 2] + it % 2] }
-        val coarseNodes = ConeTree(coarseXy, DoubleArray(coarse.size) { -sizes[coarse[it]] }, rules.gradation)
+        val coarseNodes = ConeTree(coarseXy, DoubleArray(coarse.size) { -sizes[coarse[it]] }, rules.gradation, checkpoint)
         return BoundedField(ofBoundary, user, rules.minSize, rules.maxSize, if (coarse.size > 0) coarseNodes else null)
     }
 
@@ -46,14 +69,15 @@ internal object SizeFields {
      * Size typical of the boundary near each node: the mean length of the [WINDOW] segments before and after it in its
      * loop, weighted by length, times [SHARE]; never below [sizes], and just that for nodes on embedded segments alone.
      */
-    private fun typicalSizes(domain: Domain, sizes: DoubleArray): DoubleArray {
+    private fun typicalSizes(domain: Domain, sizes: DoubleArray, checkpoint: Checkpoint): DoubleArray {
         val typical = DoubleArray(sizes.size) { Double.POSITIVE_INFINITY }
         for (loop in 0 until domain.loopCount) {
             val first = domain.loopStart(loop)
             val count = domain.loopStart(loop + 1) - first
             val window = Math.min(WINDOW, count / 2)
-            val lengths = DoubleArray(count) { domain.segmentLength(first + it) }
+            val lengths = DoubleArray(count) { checkpoint.pass(); domain.segmentLength(first + it) }
             for (i in 0 until count) {
+                checkpoint.pass()
                 var sum = 0.0
                 var squares = 0.0
                 for (k in i - window until i + window) {
@@ -73,12 +97,13 @@ internal object SizeFields {
     }
 
     /** How far each node's spacing rules: [PERIMETERS] times the length of the shortest loop it lies on, or of its own segments. */
-    private fun reaches(domain: Domain): DoubleArray {
+    private fun reaches(domain: Domain, checkpoint: Checkpoint): DoubleArray {
         val reach = DoubleArray(domain.nodeCount) { Double.POSITIVE_INFINITY }
         for (loop in 0 until domain.loopCount) {
             val segments = domain.loopStart(loop) until domain.loopStart(loop + 1)
-            val length = segments.sumOf { domain.segmentLength(it) }
+            val length = segments.sumOf { checkpoint.pass(); domain.segmentLength(it) }
             for (s in segments) {
+                checkpoint.pass()
                 val node = domain.segmentStart(s)
                 reach[node] = Math.min(reach[node], PERIMETERS * length)
             }
@@ -91,12 +116,12 @@ internal object SizeFields {
         return reach
     }
 
-    private fun sample(function: SizeFunction, domain: Domain, gradation: Double): SampledSizes {
+    private fun sample(function: SizeFunction, domain: Domain, gradation: Double, checkpoint: Checkpoint): SampledSizes {
         val minX = (0 until domain.nodeCount).minOf { domain.x(it) }
         val minY = (0 until domain.nodeCount).minOf { domain.y(it) }
         val extentX = (0 until domain.nodeCount).maxOf { domain.x(it) } - minX
         val extentY = (0 until domain.nodeCount).maxOf { domain.y(it) } - minY
-        return SampledSizes(function, minX, minY, Math.max(extentX, extentY), InsideLocator(domain), gradation)
+        return SampledSizes(function, minX, minY, Math.max(extentX, extentY), InsideLocator(domain), gradation, checkpoint)
     }
 
     /**

@@ -1,5 +1,6 @@
 package org.trigrid.spacing
 
+import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.domain.SegmentTree
 
 /**
@@ -14,7 +15,7 @@ import org.trigrid.domain.SegmentTree
  * Plain doubles: a place within rounding of a side may be given to either triangle. Always ends, at the latest after as
  * many steps as there are triangles.
  */
-internal class TriangleWalk(private val mesh: ConstrainedDelaunay) {
+internal class TriangleWalk(private val mesh: ConstrainedDelaunay, private val checkpoint: Checkpoint = Checkpoint.unheard()) {
     private val xy = mesh.xy
     private val nodes = mesh.nodes
     private val twins = mesh.twins
@@ -58,13 +59,14 @@ internal class TriangleWalk(private val mesh: ConstrainedDelaunay) {
     /** A segment from corner to corner of each triangle's box. */
     private fun boxTree(): SegmentTree {
         val corners = DoubleArray(4 * mesh.triangleCount) { i ->
+            checkpoint.pass()
             val axis = i and 1
             val first = xy[2 * nodes[3 * (i / 4)] + axis]
             val second = xy[2 * nodes[3 * (i / 4) + 1] + axis]
             val third = xy[2 * nodes[3 * (i / 4) + 2] + axis]
             if (i and 2 == 0) Math.min(first, Math.min(second, third)) else Math.max(first, Math.max(second, third))
         }
-        return SegmentTree(corners, IntArray(2 * mesh.triangleCount) { it })
+        return SegmentTree(corners, IntArray(2 * mesh.triangleCount) { it }, checkpoint)
     }
 
     private fun freeWalk(x: Double, y: Double, start: Int): Int {

@@ -39,6 +39,19 @@ class DomainCheckTest {
     }
 
     @Test
+    fun `coordinates that cannot be computed with are refused`() {
+        val large = assertFaults(outer().outer(doubleArrayOf(20.0, 0.0, 1e61, 0.0, 20.0, 5.0)), NOT_A_NUMBER)
+        assertTrue("beyond 1e60" in large.single().message)
+        val short = assertFaults(Domain.builder().outer(doubleArrayOf(0.0, 0.0, 1e-61, 0.0, 4.0, 0.0, 0.0, 4.0)), ZERO_LENGTH)
+        assertTrue("shorter than 1e-60" in short.single().message)
+        for (scale in listOf(1e-320, 1e-200, 1e-62, 1e61, 1e200, 1e307)) {
+            val faults = DomainCheck.check(Domain.of(doubleArrayOf(0.0, 0.0, scale, 0.0, scale, scale, 0.0, scale)))
+            assertTrue(faults.any { it.kind == if (scale < 1) ZERO_LENGTH else NOT_A_NUMBER }) { "$scale: $faults" }
+        }
+        for (scale in listOf(1e-58, 1e58)) assertFaults(Domain.builder().outer(square(0.0, 0.0, scale)))
+    }
+
+    @Test
     fun `crossing tells the place`() {
         val faults = assertFaults(Domain.builder().outer(doubleArrayOf(0.0, 0.0, 4.0, 4.0, 4.0, 0.0, 0.0, 4.0)), CROSSING, DEGENERATE_LOOP)
         val crossing = faults.single { it.kind == CROSSING }

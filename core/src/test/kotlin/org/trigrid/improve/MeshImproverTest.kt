@@ -14,7 +14,7 @@ class MeshImproverTest {
             val fixed = mesh.xy.copyOf(2 * mesh.fixedNodeCount)
             val area = area(mesh)
             val euler = euler(mesh)
-            MeshImprover(mesh, 0.01).run {}
+            MeshImprover(mesh, 0.01).run()
             checkValid(mesh, name)
             assertEquals(boundary, boundaryEdges(mesh), name)
             assertArrayEquals(fixed, mesh.xy.copyOf(2 * mesh.fixedNodeCount), name)
@@ -27,7 +27,7 @@ class MeshImproverTest {
     fun `never lowers a poor least quality`() {
         forAllMeshes { mesh, name ->
             val before = RawMeshes.minQuality(mesh)
-            MeshImprover(mesh, 0.01).run {}
+            MeshImprover(mesh, 0.01).run()
             assertTrue(RawMeshes.minQuality(mesh) >= minOf(before, 0.7)) { "$name: $before, then ${RawMeshes.minQuality(mesh)}" }
         }
     }
@@ -36,7 +36,7 @@ class MeshImproverTest {
     fun `makes a good mesh of a disordered lattice`() {
         for (seed in 1L..5L) {
             val mesh = RawMeshes.lattice(30, 30, 1.0, seed)
-            MeshImprover(mesh, 0.01).run {}
+            MeshImprover(mesh, 0.01).run()
             assertTrue(RawMeshes.meanQuality(mesh) > 0.97) { "mean q ${RawMeshes.meanQuality(mesh)}" }
             assertTrue(RawMeshes.minQuality(mesh) > 0.7) { "least q ${RawMeshes.minQuality(mesh)}" }
         }
@@ -44,7 +44,7 @@ class MeshImproverTest {
 
     @Test
     fun `gives the same mesh each time`() {
-        val meshes = List(2) { RawMeshes.lattice(20, 15, 1.0, 3L, hole = true).also { MeshImprover(it, 0.01).run {} } }
+        val meshes = List(2) { RawMeshes.lattice(20, 15, 1.0, 3L, hole = true).also { MeshImprover(it, 0.01).run() } }
         val (first, second) = meshes
         assertEquals(first.elementCount, second.elementCount)
         assertArrayEquals(first.xy.copyOf(2 * first.nodeCount), second.xy.copyOf(2 * second.nodeCount))
@@ -57,8 +57,8 @@ class MeshImproverTest {
         val large = RawMeshes.lattice(12, 12, 1.0, 8L)
         for (i in large.xy.indices) large.xy[i] *= 1024.0
         for (i in large.sizes.indices) large.sizes[i] *= 1024.0
-        MeshImprover(small, 0.01).run {}
-        MeshImprover(large, 0.01).run {}
+        MeshImprover(small, 0.01).run()
+        MeshImprover(large, 0.01).run()
         val expected = DoubleArray(2 * small.nodeCount) { 1024 * small.xy[it] }
         assertArrayEquals(expected, large.xy.copyOf(2 * large.nodeCount))
     }
@@ -66,7 +66,7 @@ class MeshImproverTest {
     @Test
     fun `reports progress that never goes back and ends at 1`() {
         val seen = ArrayList<Double>()
-        MeshImprover(RawMeshes.lattice(8, 8, 1.0, 1L), 0.01).run { seen.add(it) }
+        MeshImprover(RawMeshes.lattice(8, 8, 1.0, 1L), 0.01, { seen.add(it) }).run()
         assertEquals(seen.sorted(), seen)
         assertEquals(1.0, seen.last())
     }
@@ -74,7 +74,7 @@ class MeshImproverTest {
     @Test
     fun `leaves a mesh without free nodes alone but for flips`() {
         val mesh = RawMeshes.lattice(1, 1, 0.0, 1L)
-        MeshImprover(mesh, 0.01).run {}
+        MeshImprover(mesh, 0.01).run()
         assertEquals(2, mesh.elementCount)
         assertEquals(4, mesh.nodeCount)
     }

@@ -49,4 +49,11 @@ internal object RandomLoops {
     /** The square from ([x], [y]) with the [side] given, anticlockwise. */
     fun square(x: Double, y: Double, side: Double): DoubleArray =
         doubleArrayOf(x, y, x + side, y, x + side, y + side, x, y + side)
+
+    /** A wavy ring of [n] nodes. */
+    fun ring(n: Int): DoubleArray = DoubleArray(2 * n) {
+        val angle = 2 * Math.PI * (it / 2) / n
+        val radius = 1 + 0.3 * StrictMath.sin(9 * angle) + 0.01 * StrictMath.sin(1001 * angle)
+        radius * if (it % 2 == 0) StrictMath.cos(angle) else StrictMath.sin(angle)
+    }
 }
