@@ -15,6 +15,7 @@ internal object ReadingMemory {
     /** The text itself, and the bytes it is decoded from. */
     const val TEXT = 3.0
     const val MSH = 8.0
+    const val VTU = 16.0
     const val WKT = 20.0
     const val POLY = 60.0
 

@@ -9,7 +9,10 @@ import org.trigrid.io.GeoJsonReader
 import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
 import org.trigrid.io.MshReader
+import org.trigrid.io.MeditReader
 import org.trigrid.io.PolyReader
+import org.trigrid.io.TriangleReader
+import org.trigrid.io.VtuReader
 import org.trigrid.io.WktReader
 import org.trigrid.project.Project
 import org.trigrid.project.ProjectFile
@@ -43,6 +46,13 @@ internal class FileKind(val name: String, val samples: List<String>, private val
             FileKind("poly", listOf(POLY)) { text -> PolyReader.read(FilePath.of("none.poly"), text).forEach { DomainCheck.check(it.domain) } },
             FileKind("msh 2.2", listOf(mesh(MeshFormat.MSH_22))) { text -> MshReader.read(text.toByteArray(), "file") },
             FileKind("msh 4.1", listOf(mesh(MeshFormat.MSH_41))) { text -> MshReader.read(text.toByteArray(), "file") },
+            FileKind("msh 2.2 binary", listOf(mesh(MeshFormat.MSH_22_BINARY))) { text -> MshReader.read(bytes(text), "file") },
+            FileKind("msh 4.1 binary", listOf(mesh(MeshFormat.MSH_41_BINARY))) { text -> MshReader.read(bytes(text), "file") },
+            FileKind("vtu", listOf(mesh(MeshFormat.VTU), VTU)) { text -> VtuReader.read(bytes(text), "file") },
+            FileKind("medit", listOf(mesh(MeshFormat.MEDIT))) { text -> MeditReader.read(bytes(text), "file") },
+            FileKind("triangle nodes", listOf(NODE)) { text -> triangle().read(text, ELE, null) },
+            FileKind("triangle elements", listOf(ELE)) { text -> triangle().read(NODE, text, EDGE) },
+            FileKind("triangle edges", listOf(EDGE)) { text -> triangle().read(NODE, ELE, text) },
         ) + paperShapes().map { (kind, text) -> FileKind("paper ${kind.name.lowercase()}", listOf(text)) { PaperText.read(kind, it, "file") } }
 
         private fun project(): String {
@@ -59,8 +69,13 @@ internal class FileKind(val name: String, val samples: List<String>, private val
                 .embed(doubleArrayOf(0.2, 0.2, 0.4, 0.2), "line").build()
             val out = ByteArrayOutputStream()
             MeshFormats.write(MeshGenerator.generate(domain).mesh, out, format)
-            return out.toString(Charsets.UTF_8)
+            return out.toString(Charsets.ISO_8859_1)
         }
+
+        /** Samples of binary files are texts of one character a byte. */
+        private fun bytes(text: String) = text.toByteArray(Charsets.ISO_8859_1)
+
+        private fun triangle() = TriangleReader(FilePath.of("t.node"), FilePath.of("t.ele"), FilePath.of("t.edge"))
 
         private fun paperShapes(): List<Pair<PaperShape, String>> {
             val a = Point2(0.0, 0.0)
@@ -73,6 +88,19 @@ internal class FileKind(val name: String, val samples: List<String>, private val
                 PaperShape.CIRCLE to Circle(a, b, 0.5),
             ).map { (kind, shape) -> kind to PaperText.write(shape) }
         }
+
+        private const val NODE = "# nodes\n4 2 1 1\n1 0 0 5 1\n2 1.5 0 5 1\n3 1 1e0 5 1\n7 0 1 5 0\n"
+        private const val ELE = "2 3 1\n1 1 2 3 4\n2 1 3 7 4\n"
+        private const val EDGE = "3 1\n1 1 2 3\n2 2 3 1\n3 3 1 0\n"
+
+        private const val VTU = """<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian" compressor="vtkZLibDataCompressor"><UnstructuredGrid>
+<Piece NumberOfPoints="4" NumberOfCells="3"><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+0 0 0 1 0 0  1 1 0  0 1e0 0</DataArray></Points><Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 0 2 3 0 1</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">3 6 8</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">5 5 3</DataArray></Cells>
+<CellData><DataArray type="Int32" Name="tag" format="binary">AQAAAACAAAAMAAAACwAAAA==eJxjYIAARgAADAAC</DataArray></CellData>
+</Piece></UnstructuredGrid></VTKFile>"""
 
         private const val LOOPS = """{"name": "two", "loops": [[[0, 0], [4, 0], [4, 4], [0, 4]], [[1, 1], [2, 1], [1, 2]]]}"""
 

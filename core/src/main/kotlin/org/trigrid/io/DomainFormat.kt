@@ -1,0 +1,57 @@
+package org.trigrid.io
+
+import org.trigrid.domain.Domain
+import java.io.IOException
+import java.nio.file.Path
+
+/** A format of files with domains. */
+public abstract class DomainFormat internal constructor(
+    name: String,
+    title: String,
+    endings: List<String>,
+    canWrite: Boolean = false,
+    /** Whether files hold curves, which a spacing divides; the nodes of other formats are the boundary nodes as they are. */
+    @get:JvmName("hasCurves") public val hasCurves: Boolean = false,
+) : FileFormat(name, title, endings, canRead = true, canWrite = canWrite) {
+    /** Whether a text that begins with the line [first] looks like this format; asked where the file's name says nothing. */
+    internal open fun looksLike(first: String): Boolean = false
+
+    /** @throws org.trigrid.diagnostics.FileFormatException with the place of what is wrong. */
+    @Throws(IOException::class)
+    internal abstract fun read(input: DomainText): List<NamedDomain>
+
+    /** The text of a file that holds [domains]. */
+    internal open fun write(domains: List<NamedDomain>, text: TextBuffer): Unit = throw IllegalArgumentException("$name cannot be written")
+
+    public companion object {
+        /** GeoJSON (RFC 7946). */
+        @JvmField
+        public val GEOJSON: DomainFormat = GeoJsonFormat()
+
+        /** Well-known text of polygons. */
+        @JvmField
+        public val WKT: DomainFormat = WktFormat()
+
+        /** Triangle's planar straight line graph. */
+        @JvmField
+        public val POLY: DomainFormat = PolyFormat()
+    }
+}
+
+/** A text to be read as domains. */
+internal class DomainText(
+    val file: Path,
+    val text: String,
+    /** Wanted distance of neighbouring nodes on curves and lines; NaN to keep lines and to divide curves by their bend. */
+    val spacing: Double = Double.NaN,
+    /** Last spacing / first spacing of each piece; means nothing without [spacing]. */
+    val ratio: Double = 1.0,
+) {
+    /** Names the text in errors. */
+    val source: String get() = file.toString()
+
+    /** Names domains that have no name of their own: the file's name up to its first dot. */
+    val baseName: String get() = DomainFormats.baseName(file)
+
+    fun single(domain: Domain): List<NamedDomain> = listOf(NamedDomain(baseName, domain))
+}
