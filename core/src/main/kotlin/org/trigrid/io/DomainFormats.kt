@@ -14,7 +14,10 @@ import java.nio.file.Path
  * domain is read as it is, for `DomainCheck` to tell.
  */
 public object DomainFormats {
-    private val ALL: List<DomainFormat> = java.util.List.of(DomainFormat.GEOJSON, DomainFormat.WKT, DomainFormat.POLY)
+    private val ALL: List<DomainFormat> = java.util.List.of(
+        DomainFormat.GEOJSON, DomainFormat.WKT, DomainFormat.POLY, DomainFormat.TOPOJSON, DomainFormat.SVG, DomainFormat.DXF,
+        DomainFormat.GEO, DomainFormat.POINTS,
+    )
 
     /** All formats; of those that share an ending, the usual one first. */
     @JvmStatic
@@ -38,24 +41,23 @@ public object DomainFormats {
      */
     @JvmStatic
     @Throws(IOException::class)
-    public fun read(file: Path): List<NamedDomain> = read(file, Double.NaN, 1.0)
+    public fun read(file: Path): List<NamedDomain> = read(file, CurveDivision.DEFAULT)
 
     /**
-     * As the other, with every line and curve divided anew.
+     * As the other, with lines and curves divided as [division] says.
      *
-     * @param spacing wanted distance of neighbouring nodes, in the unit of the file, > 0; NaN for the nodes of the file.
-     * @param ratio last spacing / first spacing of each line and curve, > 0.
      * @throws org.trigrid.diagnostics.InvalidShapeException if something cannot be divided like that.
      */
     @JvmStatic
     @Throws(IOException::class)
-    public fun read(file: Path, spacing: Double, ratio: Double): List<NamedDomain> {
-        val text = textOf(file)
-        val format = forFile(file) ?: formatOf(text)
+    public fun read(file: Path, division: CurveDivision): List<NamedDomain> {
+        val named = forFile(file)
+        val text = textOf(file, named?.isOfAnyCharset == true)
+        val format = named ?: formatOf(text)
             ?: throw FileFormatException(file.toString(), 0, 0, "this is none of the formats that are known")
-        val domains = format.read(DomainText(file, text, spacing, ratio))
-        if (format.hasCurves || spacing.isNaN()) return domains
-        return domains.map { NamedDomain(it.name, it.domain.respaced(spacing, ratio)) }
+        val domains = format.read(DomainText(file, text, division))
+        if (format.hasCurves || !division.hasSpacing()) return domains
+        return domains.map { NamedDomain(it.name, it.domain.respaced(division.spacing, division.ratio)) }
     }
 
     /**
@@ -75,11 +77,15 @@ public object DomainFormats {
 
     /** UTF-8, without the byte order mark that some editors put first. */
     @Throws(IOException::class)
-    internal fun textOf(file: Path): String = try {
+    internal fun textOf(file: Path): String = textOf(file, false)
+
+    @Throws(IOException::class)
+    private fun textOf(file: Path, isOfAnyCharset: Boolean): String = try {
         ReadingMemory.check(file, ReadingMemory.TEXT)
         Files.readString(file).removePrefix("\uFEFF")
     } catch (e: CharacterCodingException) {
-        throw FileFormatException(file.toString(), 0, 0, "not a text file in UTF-8", e)
+        if (isOfAnyCharset) Files.readString(file, Charsets.ISO_8859_1)
+        else throw FileFormatException(file.toString(), 0, 0, "not a text file in UTF-8", e)
     }
 
     /** The file's name up to its first dot. */

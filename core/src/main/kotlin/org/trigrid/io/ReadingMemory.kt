@@ -18,6 +18,7 @@ internal object ReadingMemory {
     const val VTU = 16.0
     const val WKT = 20.0
     const val POLY = 60.0
+    const val DRAWING = 100.0
 
     /** For each value of a JSON text, its key and its place in the value round it. */
     const val JSON_VALUE = 200.0

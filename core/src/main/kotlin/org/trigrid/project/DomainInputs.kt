@@ -38,7 +38,7 @@ public object DomainInputs {
     }
 
     private fun fromFormats(file: Path, options: InputOptions): List<DomainInput> =
-        DomainFormats.read(file, options.spacing, options.ratio).map { DomainInput(it.name, it.domain, MeshOptions.DEFAULT) }
+        DomainFormats.read(file, options.division).map { DomainInput(it.name, it.domain, MeshOptions.DEFAULT) }
 
     /** Every shape with the spacing and ratio asked for, as if its nodes had never been edited. */
     private fun respaced(path: ShapePath, options: InputOptions): ShapePath =

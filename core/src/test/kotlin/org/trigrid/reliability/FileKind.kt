@@ -5,6 +5,8 @@ import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
 import org.trigrid.domain.Path
 import org.trigrid.geometry.Point2
+import org.trigrid.io.DomainFormat
+import org.trigrid.io.DomainText
 import org.trigrid.io.GeoJsonReader
 import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
@@ -48,6 +50,11 @@ internal class FileKind(val name: String, val samples: List<String>, private val
             FileKind("msh 4.1", listOf(mesh(MeshFormat.MSH_41))) { text -> MshReader.read(text.toByteArray(), "file") },
             FileKind("msh 2.2 binary", listOf(mesh(MeshFormat.MSH_22_BINARY))) { text -> MshReader.read(bytes(text), "file") },
             FileKind("msh 4.1 binary", listOf(mesh(MeshFormat.MSH_41_BINARY))) { text -> MshReader.read(bytes(text), "file") },
+            FileKind("svg", listOf(SVG)) { text -> drawing(DomainFormat.SVG, text) },
+            FileKind("dxf", listOf(DXF.replace(' ', '\n'))) { text -> drawing(DomainFormat.DXF, text) },
+            FileKind("geo", listOf(GEO)) { text -> drawing(DomainFormat.GEO, text) },
+            FileKind("points", listOf("x,y\n0,0\n4,0\n4.5,4e0\n\n1,1\n2,1\n2,2\n")) { text -> drawing(DomainFormat.POINTS, text) },
+            FileKind("topojson", listOf(TOPOJSON)) { text -> drawing(DomainFormat.TOPOJSON, text) },
             FileKind("vtu", listOf(mesh(MeshFormat.VTU), VTU)) { text -> VtuReader.read(bytes(text), "file") },
             FileKind("medit", listOf(mesh(MeshFormat.MEDIT))) { text -> MeditReader.read(bytes(text), "file") },
             FileKind("triangle nodes", listOf(NODE)) { text -> triangle().read(text, ELE, null) },
@@ -75,6 +82,15 @@ internal class FileKind(val name: String, val samples: List<String>, private val
         /** Samples of binary files are texts of one character a byte. */
         private fun bytes(text: String) = text.toByteArray(Charsets.ISO_8859_1)
 
+        /** A damaged number may ask for more nodes than are allowed, which the exception for shapes tells. */
+        private fun drawing(format: DomainFormat, text: String) {
+            try {
+                for (named in format.read(DomainText(FilePath.of("file"), text))) DomainCheck.check(named.domain)
+            } catch (e: org.trigrid.diagnostics.InvalidShapeException) {
+                check(e.message!!.isNotEmpty())
+            }
+        }
+
         private fun triangle() = TriangleReader(FilePath.of("t.node"), FilePath.of("t.ele"), FilePath.of("t.edge"))
 
         private fun paperShapes(): List<Pair<PaperShape, String>> {
@@ -88,6 +104,25 @@ internal class FileKind(val name: String, val samples: List<String>, private val
                 PaperShape.CIRCLE to Circle(a, b, 0.5),
             ).map { (kind, shape) -> kind to PaperText.write(shape) }
         }
+
+        private const val SVG = """<svg viewBox="0 0 9 9"><g id="a" transform="translate(1,2) rotate(30)"><path d="M0 0h9v9.5H0z
+ M1 1C2 0 2 2 3 1S4 2 5 1T6 2A1 2 30 01 3 3Q2 3 1 1z"/></g><rect x="20" width="3" height="2" rx=".5"/><circle cx="30" r="2"/>
+<polyline points="1,1 2,2"/></svg>"""
+
+        private const val DXF = "0 SECTION 2 HEADER 9 \$INSUNITS 70 4 0 ENDSEC 0 SECTION 2 ENTITIES 0 LINE 8 low 10 0 20 0 11 4 21 0 " +
+            "0 LINE 10 4 20 0 11 4 21 3 0 LINE 10 4 20 3 11 0 21 0 0 CIRCLE 10 3 20 1 40 0.25 0 ELLIPSE 10 20 20 0 11 2 21 0 40 0.5 " +
+            "0 LWPOLYLINE 70 1 10 30 20 0 10 32 20 0 42 1 10 32 20 2 0 SPLINE 71 2 40 0 40 0 40 0 40 1 40 1 40 1 10 40 20 0 10 41 20 1 " +
+            "10 42 20 0 0 LINE 10 40 20 0 11 42 21 0 0 ENDSEC 0 EOF"
+
+        private const val GEO = """lc = 0.5 * 2; // size
+Point(1) = {0, 0, 0, lc}; Point(2) = {4, 0, 0, lc/2}; Point(3) = {2, 3, 0}; Point(4) = {2, 0, 0};
+Line(1) = {1, 2}; Spline(2) = {2, 3, 1}; Circle(3) = {1, 4, 2}; Curve Loop(1) = {1:2};
+Transfinite Curve {1} = 5 Using Progression 1.1; Plane Surface(1) = {1}; Physical Curve("a") = {1}; Mesh 2;
+"""
+
+        private const val TOPOJSON = """{"type": "Topology", "transform": {"scale": [0.5, 2], "translate": [10, 20]}, "objects": {"land":
+{"type": "GeometryCollection", "geometries": [{"type": "Polygon", "arcs": [[0, 1]]}, {"type": "MultiPolygon", "arcs": [[[2, -1]]]}]}},
+"arcs": [[[2, 0], [0, 2]], [[2, 2], [-2, 0], [0, -2], [2, 0]], [[2, 0], [2, 0], [0, 2], [-2, 0]]]}"""
 
         private const val NODE = "# nodes\n4 2 1 1\n1 0 0 5 1\n2 1.5 0 5 1\n3 1 1e0 5 1\n7 0 1 5 0\n"
         private const val ELE = "2 3 1\n1 1 2 3 4\n2 1 3 7 4\n"
