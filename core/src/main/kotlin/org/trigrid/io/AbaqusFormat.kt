@@ -1,5 +1,6 @@
 package org.trigrid.io
 
+import org.trigrid.mesh.TaggedSides
 import org.trigrid.mesh.TriMesh
 import java.io.OutputStream
 
@@ -58,27 +59,4 @@ internal class AbaqusFormat : MeshFormat("abaqus", "Abaqus and CalculiX input", 
         const val NUMBER_WIDTH = 20
         const val PER_LINE = 16
     }
-}
-
-/** The half-edge, 3 t + k for edge k of element t, on the left of each tagged edge. */
-internal class TaggedSides(mesh: TriMesh) {
-    private val halves = IntArray(mesh.taggedEdgeCount)
-
-    init {
-        val first = IntArray(mesh.nodeCount) { -1 }
-        val next = IntArray(mesh.taggedEdgeCount)
-        for (edge in 0 until mesh.taggedEdgeCount) {
-            next[edge] = first[mesh.edgeStart(edge)]
-            first[mesh.edgeStart(edge)] = edge
-        }
-        for (half in 0 until 3 * mesh.elementCount) {
-            var edge = first[mesh.nodeOf(half / 3, half % 3)]
-            while (edge >= 0) {
-                if (mesh.edgeEnd(edge) == mesh.nodeOf(half / 3, (half + 1 - half / 3 * 3) % 3)) halves[edge] = half
-                edge = next[edge]
-            }
-        }
-    }
-
-    fun leftOf(edge: Int): Int = halves[edge]
 }

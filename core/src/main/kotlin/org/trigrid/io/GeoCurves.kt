@@ -45,6 +45,8 @@ internal object GeoCurves {
         val from = turns(begin, centre, axes)
         var turns = turns(end, centre, axes) - from
         turns -= Math.rint(turns)
+        // A half turn is taken anticlockwise.
+        if (turns < -0.5 + HALF_TURN) turns += 1
         return EllipseArc(
             centre.x, centre.y, axes[0], axes[1], axes[2], axes[3], from, from + turns, doubleArrayOf(begin.x, begin.y, end.x, end.y),
         )
@@ -106,4 +108,7 @@ internal object GeoCurves {
         DoubleArray(2 * points.size) { if (it % 2 == 0) points[it / 2].x else points[it / 2].y }
 
     private const val MOST_BEZIER = 26
+
+    /** What is nearer to a half turn is one. */
+    private const val HALF_TURN = 1e-9
 }

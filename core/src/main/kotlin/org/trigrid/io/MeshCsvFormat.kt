@@ -8,6 +8,8 @@ internal class MeshCsvFormat : MeshFormat(
     "csv", "tables of nodes, elements and edges", listOf(".nodes.csv", ".elements.csv", ".edges.csv", ".csv"), canRead = false,
     isSingleFile = false,
 ) {
+    override fun filesOf(file: Path): List<Path> = endings.take(3).map { sibling(file, it) }
+
     override fun writeFiles(mesh: TriMesh, file: Path) {
         table(file, ".nodes.csv") { text ->
             text.line("node,x,y")

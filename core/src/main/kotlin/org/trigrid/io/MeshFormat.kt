@@ -15,6 +15,9 @@ public abstract class MeshFormat internal constructor(
     /** Whether a mesh is one file; else several that differ by their endings. */
     @get:JvmName("isSingleFile") public val isSingleFile: Boolean = true,
 ) : FileFormat(name, title, endings, canRead, canWrite) {
+    /** The files that a mesh written to [file] is in. */
+    public open fun filesOf(file: Path): List<Path> = listOf(file)
+
     /** Writes the one file of a mesh. */
     @Throws(IOException::class)
     internal open fun write(mesh: TriMesh, out: OutputStream): Unit = throw IllegalArgumentException("$name is several files")

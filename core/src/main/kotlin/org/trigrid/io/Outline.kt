@@ -112,6 +112,7 @@ internal object PieceDivision {
     private const val LARGEST_BEND = Math.PI / 18
     private const val SAMPLES = 24
     private const val MOST = 1_000_000
+    private const val RESOLUTION = 1e-10
 
     /**
      * x0, y0, …, both ends exact. Without a [spacing] a line stays whole, and a curve is divided into equal lengths so that
@@ -124,6 +125,7 @@ internal object PieceDivision {
         if (curve is StraightLine && spacing.isNaN() && piece.division == null) {
             return doubleArrayOf(curve.beginX, curve.beginY, curve.endX, curve.endY)
         }
+        if (!isResolved(curve)) return doubleArrayOf(curve.beginX, curve.beginY, curve.endX, curve.endY)
         val track = CurveTrack(curve)
         if (!(track.length > 0 && track.length < Double.POSITIVE_INFINITY)) return doubleArrayOf(curve.beginX, curve.beginY, curve.endX, curve.endY)
         val least = if (isAlone) 3 else 1
@@ -151,6 +153,20 @@ internal object PieceDivision {
         val xy = DoubleArray(2 * fractions.size)
         for (k in fractions.indices) track.place(fractions[k], xy, k)
         return xy
+    }
+
+    /** Whether the curve is large enough for its coordinates to tell its points apart. */
+    private fun isResolved(curve: PlaneCurve): Boolean {
+        var size = 0.0
+        var largest = 0.0
+        for (i in 0..SAMPLES) {
+            val u = curve.knots.first() + (curve.knots.last() - curve.knots.first()) * i / SAMPLES
+            val x = curve.x(u)
+            val y = curve.y(u)
+            size = maxOf(size, Math.abs(x - curve.beginX), Math.abs(y - curve.beginY))
+            largest = maxOf(largest, Math.abs(x), Math.abs(y))
+        }
+        return size > RESOLUTION * largest
     }
 
     /** How far the curve turns altogether, divided by the bend that is allowed. */

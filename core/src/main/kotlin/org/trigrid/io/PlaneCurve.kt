@@ -145,6 +145,7 @@ internal class SplineCurve(
         val w = weights[it / 3]
         if (it % 3 == 2) w else w * points[2 * (it / 3) + it % 3]
     }
+    private val d = DoubleArray(3 * (degree + 1))
     private val point = DoubleArray(3)
     private val tangent = DoubleArray(3)
 
@@ -181,7 +182,7 @@ internal class SplineCurve(
     /** Blends control points pairwise; the difference of the last two gives the derivative. */
     private fun evaluate(u: Double) {
         val span = span(u)
-        val d = DoubleArray(3 * (degree + 1)) { control[3 * (span - degree + it / 3) + it % 3] }
+        control.copyInto(d, 0, 3 * (span - degree), 3 * (span + 1))
         for (round in 1..degree) {
             if (round == degree) {
                 val width = allKnots[span + 1] - allKnots[span]

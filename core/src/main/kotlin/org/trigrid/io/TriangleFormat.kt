@@ -12,6 +12,8 @@ import java.nio.file.Path
 internal class TriangleFormat : MeshFormat(
     "triangle", "Triangle .node, .ele, .edge, .poly", listOf(".ele", ".node", ".edge", ".poly"), canRead = true, isSingleFile = false,
 ) {
+    override fun filesOf(file: Path): List<Path> = listOf(".node", ".ele", ".edge", ".poly").map { sibling(file, it) }
+
     override fun writeFiles(mesh: TriMesh, file: Path) {
         val groups = MeshGroups(mesh)
         val markers = EdgeMarkers(mesh)

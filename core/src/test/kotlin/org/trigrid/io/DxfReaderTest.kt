@@ -103,7 +103,7 @@ class DxfReaderTest {
         fun fault(text: String) = assertThrows(FileFormatException::class.java) { read(text) }
         val insert = fault(dxf("CIRCLE 10 0 20 0 40 1", "INSERT 2 A 10 0 20 0"))
         assertTrue("explode" in insert.message!!)
-        assertEquals(30, insert.line)
+        assertEquals(27, insert.line)
         assertTrue("group code" in fault("0\nSECTION\nx\ny\n").message!!)
         assertTrue("binary" in fault("AutoCAD Binary DXF\r\n\u001a\u0000").message!!)
         assertTrue("not a number" in fault(dxf("CIRCLE 10 a 20 0 40 1")).message!!)
