@@ -17,7 +17,8 @@ import org.trigrid.quality.QualityReport
 class MeshReworkTest {
     private val ribbed: TriMesh = MeshGenerator.generate(
         Domain.builder().outer(doubleArrayOf(0.0, 0.0, 4.0, 0.0, 4.0, 3.0, 0.0, 3.0), "rim")
-            .hole(doubleArrayOf(1.0, 1.0, 1.5, 1.0, 1.5, 1.5), "bore").embed(doubleArrayOf(2.0, 2.0, 3.0, 2.5), "rib").build(),
+            .hole(doubleArrayOf(1.0, 1.0, 1.5, 1.0, 1.5, 1.5), "bore").embed(doubleArrayOf(2.0, 2.0, 3.0, 2.5), "rib").build()
+            .respaced(0.25, 1.0),
         MeshOptions.builder().improve(false).maxSize(0.3).build(),
     ).mesh
 

@@ -49,7 +49,7 @@ internal object FishCompletion {
             for (option in command.commandSpec.options()) {
                 if (option.hidden()) continue
                 val names = option.names().joinToString(" ") { if (it.startsWith("--")) "-l ${it.drop(2)}" else "-s ${it.drop(1)}" }
-                val values = option.completionCandidates()?.joinToString(" ").orEmpty()
+                val values = option.completionCandidates()?.joinToString(" ").orEmpty().lowercase(java.util.Locale.ROOT)
                 val value = if (option.arity().max() == 0) "" else if (values.isEmpty()) " -r" else " -x -a ${quoted(values)}"
                 line("-n \"__fish_seen_subcommand_from $name\" $names$value -d ${quoted(option.description().joinToString(" "))}", root)
             }

@@ -6,6 +6,7 @@ import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
+import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Parameters
 import picocli.CommandLine.Spec
 import java.nio.file.Path
@@ -30,9 +31,10 @@ internal class RenumberCommand(private val session: Session) : Callable<Int> {
     lateinit var target: MeshOutputArguments
 
     @Option(names = ["--numbering"], paramLabel = "METHOD", description = ["best, or cuthill-mckee for the paper's. Default: best."])
-    var method: NumberingMethod = NumberingMethod.BEST
+    var numbering: String = "best"
 
     override fun call(): Int {
+        val method = METHODS[numbering] ?: throw ParameterException(spec.commandLine(), "--numbering must be best or cuthill-mckee, not $numbering")
         target.check(spec.commandLine())
         val mesh = ValidMesh(session).read(input) ?: return ExitCodes.INVALID_DOMAIN
         val renumbered = Numbering.renumber(mesh, method)
@@ -44,5 +46,9 @@ internal class RenumberCommand(private val session: Session) : Callable<Int> {
                 "profile ${before.profile} -> ${after.profile}",
         )
         return ExitCodes.DONE
+    }
+
+    private companion object {
+        val METHODS = mapOf("best" to NumberingMethod.BEST, "cuthill-mckee" to NumberingMethod.CUTHILL_MCKEE)
     }
 }

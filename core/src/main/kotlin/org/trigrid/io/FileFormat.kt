@@ -19,10 +19,10 @@ public sealed class FileFormat(
     /** Whether the name of [file] has one of the endings, in upper or lower case. */
     public fun fits(file: Path): Boolean = endingOf(file) != null
 
-    /** The ending that the name of [file] has, or null. */
+    /** The ending that the name of [file] has, the longest of several, or null. */
     internal fun endingOf(file: Path): String? {
         val fileName = file.fileName?.toString()?.lowercase(Locale.ROOT) ?: return null
-        return endings.firstOrNull { fileName.endsWith(it) }
+        return endings.filter { fileName.endsWith(it) }.maxByOrNull { it.length }
     }
 
     /** The file beside [file] that has [ending] in the place of its own. */

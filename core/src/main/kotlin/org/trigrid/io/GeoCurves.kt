@@ -65,13 +65,19 @@ internal object GeoCurves {
         val isClosed = n > 2 && points.first() === points.last()
         fun x(i: Int) = along(i, n, isClosed) { points[it].x }
         fun y(i: Int) = along(i, n, isClosed) { points[it].y }
-        val xy = ArrayList<Double>()
-        for (i in 0 until n - 1) {
-            xy.addAll(listOf(x(i), y(i), x(i) + (x(i + 1) - x(i - 1)) / 6, y(i) + (y(i + 1) - y(i - 1)) / 6))
-            xy.addAll(listOf(x(i + 1) - (x(i + 2) - x(i)) / 6, y(i + 1) - (y(i + 2) - y(i)) / 6))
+        // Bezier control points: each point, and a sixth of the way between its neighbours before and behind it.
+        val xy = DoubleArray(6 * (n - 1) + 2)
+        for (i in 0 until n) {
+            val dx = (x(i + 1) - x(i - 1)) / 6
+            val dy = (y(i + 1) - y(i - 1)) / 6
+            for (k in -1..1) {
+                val at = 6 * i + 2 * k
+                if (at < 0 || at >= xy.size) continue
+                xy[at] = x(i) + k * dx
+                xy[at + 1] = y(i) + k * dy
+            }
         }
-        xy.addAll(listOf(points.last().x, points.last().y))
-        return pieces(xy.toDoubleArray(), 3)
+        return pieces(xy, 3)
     }
 
     private fun along(i: Int, n: Int, isClosed: Boolean, value: (Int) -> Double): Double = when {

@@ -81,15 +81,18 @@ internal class GeoExpressions(private val tokens: GeoTokens) {
 
     private fun atom(): Double {
         val place = tokens.start
-        val word = tokens.word
         when (tokens.kind) {
             GeoTokens.Kind.NUMBER -> {
+                val small = tokens.smallNumber()
+                val word = if (small < 0) tokens.word else ""
                 tokens.next()
+                if (small >= 0) return small.toDouble()
                 val value = RingPoints.decimal(word)
                 if (value.isNaN()) tokens.failAt(place, "'$word' is not a number")
                 return value
             }
             GeoTokens.Kind.NAME -> {
+                val word = tokens.word
                 tokens.next()
                 if (tokens.takeIf("(")) return call(word, place, ")")
                 if (tokens.takeIf("[")) return call(word, place, "]")

@@ -23,8 +23,11 @@ internal class GeoTokens(private val text: String, private val source: String) :
         private set
     var kind = Kind.END
         private set
-    var word = ""
-        private set
+    /** What the token at hand says, a string without its quotes. */
+    val word: String get() = text.substring(wordStart, wordEnd)
+
+    private var wordStart = 0
+    private var wordEnd = 0
 
     init {
         next()
@@ -42,7 +45,8 @@ internal class GeoTokens(private val text: String, private val source: String) :
                 val end = text.indexOf('"', at + 1)
                 if (end < 0) fail("the string is not closed")
                 take(Kind.STRING, end + 1 - at)
-                word = word.substring(1, word.length - 1)
+                wordStart++
+                wordEnd--
             }
             else -> take(Kind.SIGN, 1)
         }
@@ -50,7 +54,7 @@ internal class GeoTokens(private val text: String, private val source: String) :
 
     /** Takes the sign or name [expected], if it is at hand. */
     fun takeIf(expected: String): Boolean {
-        if (kind == Kind.STRING || word != expected) return false
+        if (kind == Kind.STRING || wordEnd - wordStart != expected.length || !text.startsWith(expected, wordStart)) return false
         next()
         return true
     }
@@ -68,8 +72,17 @@ internal class GeoTokens(private val text: String, private val source: String) :
 
     private fun take(kind: Kind, length: Int) {
         this.kind = kind
-        word = text.substring(at, at + length)
+        wordStart = at
         at += length
+        wordEnd = at
+    }
+
+    /** The value of a number of few digits alone, or -1. */
+    fun smallNumber(): Int {
+        var value = 0
+        if (wordEnd - wordStart > SMALL_DIGITS) return -1
+        for (i in wordStart until wordEnd) value = if (text[i] in '0'..'9') 10 * value + (text[i] - '0') else return -1
+        return value
     }
 
     private fun length(accepts: (Char) -> Boolean): Int {
@@ -105,5 +118,9 @@ internal class GeoTokens(private val text: String, private val source: String) :
                 return
             }
         }
+    }
+
+    private companion object {
+        const val SMALL_DIGITS = 9
     }
 }

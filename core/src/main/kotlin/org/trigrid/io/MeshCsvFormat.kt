@@ -5,10 +5,10 @@ import java.nio.file.Path
 
 /** Three tables with a line of headings each, all numbers from 0: `.nodes.csv`, `.elements.csv`, `.edges.csv`. */
 internal class MeshCsvFormat : MeshFormat(
-    "csv", "tables of nodes, elements and edges", listOf(".nodes.csv", ".elements.csv", ".edges.csv", ".csv"), canRead = false,
+    "csv", "tables of nodes, elements and edges", listOf(".csv", ".nodes.csv", ".elements.csv", ".edges.csv"), canRead = false,
     isSingleFile = false,
 ) {
-    override fun filesOf(file: Path): List<Path> = endings.take(3).map { sibling(file, it) }
+    override fun filesOf(file: Path): List<Path> = endings.drop(1).map { sibling(file, it) }
 
     override fun writeFiles(mesh: TriMesh, file: Path) {
         table(file, ".nodes.csv") { text ->

@@ -149,7 +149,14 @@ internal class SplineCurve(
     private val point = DoubleArray(3)
     private val tangent = DoubleArray(3)
 
-    override val knots: DoubleArray = (degree..count).map { allKnots[it] }.distinct().toDoubleArray()
+    override val knots: DoubleArray = differentKnots()
+
+    private fun differentKnots(): DoubleArray {
+        val knots = DoubleArray(count - degree + 1)
+        var found = 0
+        for (i in degree..count) if (found == 0 || allKnots[i] > knots[found - 1]) knots[found++] = allKnots[i]
+        return knots.copyOf(found)
+    }
 
     override fun x(u: Double): Double {
         evaluate(u)
