@@ -18,8 +18,11 @@ internal object InsertionOrder {
 
     /** Point numbers along a Hilbert curve (Hilbert 1891, Math. Ann. 38:459-460) over the square round all points. */
     @JvmStatic
-    fun alongCurve(xy: DoubleArray): IntArray {
-        val count = xy.size / 2
+    fun alongCurve(xy: DoubleArray): IntArray = alongCurve(xy, xy.size / 2)
+
+    /** As the other, of the first [count] points. */
+    @JvmStatic
+    fun alongCurve(xy: DoubleArray, count: Int): IntArray {
         var minX = Double.POSITIVE_INFINITY
         var minY = Double.POSITIVE_INFINITY
         var maxX = Double.NEGATIVE_INFINITY

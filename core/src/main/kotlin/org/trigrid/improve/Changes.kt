@@ -7,7 +7,7 @@ internal class Changes(private val mesh: MutableMesh) {
     private var flags = ByteArray(mesh.nodeCount)
 
     /** The elements around [node] have changed. */
-    fun touch(node: Int) = touch(node, SURGERY or SMOOTHING or TRIAL)
+    fun touch(node: Int) = touch(node, SURGERY or SMOOTHING or TRIAL or FLIPS)
 
     fun touchAll() {
         for (node in 0 until mesh.nodeCount) touch(node)
@@ -28,6 +28,14 @@ internal class Changes(private val mesh: MutableMesh) {
         return true
     }
 
+    /** Whether [node] is to be looked at for [purpose]. */
+    fun has(node: Int, purpose: Int): Boolean = node < flags.size && flags[node].toInt() and purpose != 0
+
+    /** No node is to be looked at for [purpose]. */
+    fun clear(purpose: Int) {
+        for (node in flags.indices) flags[node] = (flags[node].toInt() and purpose.inv()).toByte()
+    }
+
     /** Starts a pass of trials: what has been touched up to now is due, and stays so while the pass lasts. */
     fun beginTrials() {
         for (node in flags.indices) {
@@ -44,6 +52,7 @@ internal class Changes(private val mesh: MutableMesh) {
         const val SMOOTHING: Int = 1
         const val SURGERY: Int = 2
         const val WORST: Int = 4
+        const val FLIPS: Int = 32
         private const val TRIAL: Int = 8
         private const val DUE: Int = 16
     }

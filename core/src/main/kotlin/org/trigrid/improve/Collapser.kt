@@ -81,8 +81,8 @@ internal class Collapser(
         merged.x = 0.5 * (star.x + other.x)
         merged.y = 0.5 * (star.y + other.y)
         if (merged.minQuality() <= 0.0) merged.centre()
-        merged.newtonStep(steep = false)
-        merged.newtonStep(steep = false)
+        merged.smoothingStep()
+        merged.smoothingStep()
     }
 
     private fun addTo(ring: Star, from: Star, i: Int) = ring.add(from.ring[i], from.xy[2 * i], from.xy[2 * i + 1])

@@ -44,6 +44,18 @@ internal class Connectivity(@JvmField val mesh: MutableMesh) {
     /** Whether the node has so few elements that it must not lose one: 3 around a free node, 1 at a fixed one. */
     fun isAtLeast(node: Int): Boolean = valence[node] <= if (isFree(node)) 3 else 1
 
+    /** Whether a free node and all nodes around it are inside the domain and have the valence 6. */
+    fun isRegular(node: Int): Boolean {
+        if (valence[node] != 6) return false
+        var h = outgoing[node]
+        for (i in 0 until 6) {
+            val n = mesh.elements[next(h)]
+            if (valence[n] != 6 || !isFree(n)) return false
+            h = mesh.twins[previous(h)]
+        }
+        return true
+    }
+
     /** The half-edge from a free node to its neighbour [to]. */
     fun halfEdge(from: Int, to: Int): Int {
         var h = outgoing[from]

@@ -1,6 +1,7 @@
 package org.trigrid.improve
 
 import org.trigrid.improve.Connectivity.Companion.next
+import org.trigrid.improve.Connectivity.Companion.next
 import org.trigrid.improve.Connectivity.Companion.previous
 import org.trigrid.quality.TriangleQuality
 
@@ -20,12 +21,20 @@ internal class Flipper(
 
     /** Looks at all edges and at those that flips change. */
     fun runAll() {
-        pushAll()
+        changes.clear(Changes.FLIPS)
+        for (h in 3 * mesh.elementCount - 1 downTo 0) if (mesh.elements[h - h % 3] >= 0 && mesh.twins[h] > h) push(h)
         run()
     }
 
-    private fun pushAll() {
-        for (h in 3 * mesh.elementCount - 1 downTo 0) if (mesh.elements[h - h % 3] >= 0 && mesh.twins[h] > h) push(h)
+    /** Looks at the edges of all elements around which something has changed since the last look. */
+    fun runChanged() {
+        var due = 0
+        for (n in 0 until mesh.nodeCount) if (changes.has(n, Changes.FLIPS)) due++
+        if (2 * due > mesh.nodeCount) return runAll()
+        for (n in mesh.nodeCount - 1 downTo 0) {
+            if (connectivity.outgoing[n] >= 0 && changes.take(n, Changes.FLIPS)) pushStar(n)
+        }
+        run()
     }
 
     /** Adds the edges of the element of [h]. */
@@ -36,7 +45,7 @@ internal class Flipper(
         push(t + 2)
     }
 
-    /** Adds all edges of the elements around a free node. */
+    /** Adds all edges of the elements around a node. */
     fun pushStar(node: Int) {
         val first = connectivity.outgoing[node]
         var h = first
@@ -44,6 +53,13 @@ internal class Flipper(
             pushElement(h)
             h = mesh.twins[previous(h)]
         } while (h != first && h >= 0)
+        if (h == first) return
+        // At the boundary the fan goes on to the other side of where the turn began.
+        h = mesh.twins[first]
+        while (h >= 0) {
+            pushElement(h)
+            h = mesh.twins[next(h)]
+        }
     }
 
     /** Works the list off. */
@@ -85,10 +101,11 @@ internal class Flipper(
         val gain = if (byQuality) 0.0 else ideal.flipGain(connectivity.valence, a, b, c, d)
         if (gain < -EQUAL) return false
         if (connectivity.isAtLeast(a) || connectivity.isAtLeast(b)) return false
+        val before = Math.min(quality(a, b, c), quality(b, a, d))
+        if (before > BEST_OF_BOTH && gain <= EQUAL) return false
         // The quadrilateral runs a, d, b, c.
         val after = Math.min(quality(a, d, c), quality(b, c, d))
         if (after < Star.SURELY_POSITIVE) return false
-        val before = Math.min(quality(a, b, c), quality(b, a, d))
         val pays = if (gain > EQUAL) {
             QualityGuard.allows(before, after, LEAST_QUALITY, LEAST_SHARE)
         } else {
@@ -104,6 +121,9 @@ internal class Flipper(
 
     private companion object {
         const val EQUAL = 1e-9
+
+        /** Both ways to cut a quadrilateral can be as good as this in a square alone: sqrt(3) / 2. */
+        const val BEST_OF_BOTH = 0.8661
 
         /** A flip for the valences' sake may lower the quality, but not below these. */
         const val LEAST_QUALITY = 0.35

@@ -33,49 +33,44 @@ internal class MeshImprover(
         for (round in 0 until ROUNDS) mendValences(progress)
         for (round in 0 until TRIALS) tryPatches(progress)
         flipper.byQuality = true
-        for (round in 0 until LAST_ROUNDS) {
-            progress.stage(0.05)
-            flipper.runAll()
-            smoother.sweeps(LAST_SWEEPS, progress)
-        }
+        progress.stage(0.15)
+        flipper.runAll()
+        smoother.sweeps(LAST_SWEEPS, progress)
         for (round in 0 until WORST_ROUNDS) {
-            progress.stage(0.03)
+            progress.stage(0.04)
             worst.run(progress)
-            flipper.runAll()
+            flipper.runChanged()
         }
         mesh.compact()
         progress.finish()
     }
 
     private fun mendValences(progress: ImproveProgress) {
-        progress.stage(0.05)
+        progress.stage(0.12)
         val count = mesh.nodeCount
         for (n in mesh.fixedNodeCount until count) {
             progress.tick(n, count)
-            if (connectivity.outgoing[n] < 0 || !changes.take(n, Changes.SURGERY)) continue
+            if (connectivity.outgoing[n] < 0 || !changes.take(n, Changes.SURGERY) || connectivity.isRegular(n)) continue
             if (collapser.tryNode(n) || splitter.tryNode(n)) flipper.run()
         }
         progress.stage(0.05)
-        smoother.sweeps(SWEEPS, progress)
-        flipper.runAll()
+        smoother.sweep(progress)
     }
 
     private fun tryPatches(progress: ImproveProgress) {
         changes.beginTrials()
-        progress.stage(0.08)
+        progress.stage(0.09)
         trials.tryLengths(progress)
-        progress.stage(0.06)
+        progress.stage(0.09)
         trials.tryFlips(progress)
-        progress.stage(0.02)
+        progress.stage(0.05)
         smoother.sweep(progress)
     }
 
     private companion object {
-        const val ROUNDS = 4
-        const val SWEEPS = 3
+        const val ROUNDS = 2
         const val TRIALS = 2
-        const val LAST_ROUNDS = 2
-        const val LAST_SWEEPS = 5
+        const val LAST_SWEEPS = 3
         const val WORST_ROUNDS = 3
     }
 }

@@ -46,17 +46,31 @@ internal class PatchTrials(
         val d = mesh.elements[previous(g)]
         val gain = ideal.flipGain(connectivity.valence, a, b, c, d)
         if (gain < LEAST_GAIN) return
+        if (gain < WELCOME && squaredLength(c, d) > longestTurned(gain) * squaredLength(a, b)) return
         if (!(changes.isDue(a) || changes.isDue(b) || changes.isDue(c) || changes.isDue(d))) return
         if (gain < NEUTRAL && Math.min(quality(a, b, c), quality(b, a, d)) > GOOD) return
         if (wouldStarve(a) || wouldStarve(b) || mesh.isEmbedded(a, b)) return
         if (quality(a, d, c) < LEAST_QUALITY || quality(b, c, d) < LEAST_QUALITY) return
-        patch.collect(a, b, c, d)
-        val before = patch.energy(h / 3, g / 3)
+        patch.begin(a, b, c, d)
+        val before = patch.energy(h / 3, g / 3, NONE)
         val least = patch.minQuality
         connectivity.flip(h)
-        if (isBetter(before, least, h / 3, g / 3)) return
+        if (isBetter(before, least, h / 3, g / 3, NONE, HOPELESS_FLIP)) return
         connectivity.flip(next(h))
         patch.restore()
+    }
+
+    /** The squared length of the turned edge over that of the edge above which a flip has hardly ever been kept. */
+    private fun longestTurned(gain: Double): Double = when {
+        gain < RAISING -> 1.5
+        gain < NEUTRAL -> 1.85
+        else -> 2.12
+    }
+
+    private fun squaredLength(a: Int, b: Int): Double {
+        val dx = mesh.xy[2 * b] - mesh.xy[2 * a]
+        val dy = mesh.xy[2 * b + 1] - mesh.xy[2 * a + 1]
+        return dx * dx + dy * dy
     }
 
     /** Whether a free node that loses an element would have 3, or a fixed one none. */
@@ -96,9 +110,11 @@ internal class PatchTrials(
         val m = mesh.elements[next(h)]
         val left = mesh.elements[previous(h)]
         val right = mesh.elements[previous(mesh.twins[h])]
-        if (wouldStarve(left) || wouldStarve(right) || leavesFixedElement(n, m)) return false
-        patch.collect(n, m, left, right)
-        val before = patch.energy(NONE, NONE) - PAIR
+        if (wouldStarve(left) || wouldStarve(right)) return false
+        val fixed = if (connectivity.isFree(m)) NONE else m
+        connectivity.outgoing[m] = mesh.twins[h]
+        patch.begin(n, m, left, right)
+        val before = patch.energy(NONE, NONE, fixed) - PAIR
         val least = patch.minQuality
         val size = mesh.sizes[n]
         connectivity.collapse(h)
@@ -106,44 +122,40 @@ internal class PatchTrials(
             mesh.xy[2 * m] = 0.5 * (mesh.xy[2 * m] + mesh.xy[2 * n])
             mesh.xy[2 * m + 1] = 0.5 * (mesh.xy[2 * m + 1] + mesh.xy[2 * n + 1])
         }
-        patch.energy(NONE, NONE)
-        if (patch.minQuality > LEAST_QUALITY && isBetter(before, least, NONE, NONE)) return true
+        patch.energy(NONE, NONE, fixed)
+        if (patch.minQuality > LEAST_QUALITY && isBetter(before, least, NONE, NONE, fixed, HOPELESS)) return true
         connectivity.undoCollapse(h, n, m, left, right, size)
         patch.restore()
         return false
     }
 
-    /** Whether pulling [n] into a fixed [m] makes an element of fixed nodes alone, which no patch knows of. */
-    private fun leavesFixedElement(n: Int, m: Int): Boolean {
-        if (connectivity.isFree(m)) return false
-        val first = connectivity.outgoing[n]
-        var h = first
-        do {
-            val a = mesh.elements[next(h)]
-            val b = mesh.elements[previous(h)]
-            if (a != m && b != m && !connectivity.isFree(a) && !connectivity.isFree(b)) return true
-            h = mesh.twins[previous(h)]
-        } while (h != first)
-        return false
-    }
-
     private fun trySplit(n: Int, towards: Int) {
         if (!splitter.prepare(n, towards)) return
-        patch.collect(n, towards, splitter.end(false), splitter.end(true))
-        val before = patch.energy(NONE, NONE) + PAIR
+        patch.begin(n, towards, splitter.end(false), splitter.end(true))
+        val before = patch.energy(NONE, NONE, NONE) + PAIR
         val least = patch.minQuality
         val made = splitter.split(n)
-        patch.add(made)
-        if (isBetter(before, least, NONE, NONE)) return
+        patch.addSeed(made)
+        if (isBetter(before, least, NONE, NONE, NONE, HOPELESS)) return
         connectivity.collapse(connectivity.halfEdge(made, n))
         patch.restore()
     }
 
-    /** Smooths the patch and compares; when it is better, its nodes are due again. */
-    private fun isBetter(before: Double, least: Double, t: Int, s: Int): Boolean {
+    /**
+     * Smooths the patch and compares with the energy and the least q before the surgery; when it is better, its nodes are due
+     * again. The seeds are smoothed alone first, and most trials end there: more than [hopeless] above [before].
+     */
+    private fun isBetter(before: Double, least: Double, t: Int, s: Int, fixed: Int, hopeless: Double): Boolean {
         patch.smooth()
-        val isLower = patch.energy(t, s) < before - ENOUGH
-        if (!isLower || patch.minQuality < Math.min(least, POOR)) return false
+        patch.smooth()
+        if (patch.energy(t, s, fixed) > before + hopeless) return false
+        val ofPatch = before + patch.widen()
+        val leastOfPatch = Math.min(least, patch.minQuality)
+        patch.smooth()
+        if (patch.energy(t, s, fixed) > ofPatch + HOPELESS_PATCH) return false
+        patch.smooth()
+        val isLower = patch.energy(t, s, fixed) < ofPatch - ENOUGH
+        if (!isLower || patch.minQuality < Math.min(leastOfPatch, POOR)) return false
         patch.touch(changes)
         return true
     }
@@ -158,7 +170,9 @@ internal class PatchTrials(
 
         /** Flips that raise the squared deviations by 2 are tried too, but only at elements below [GOOD]. */
         const val LEAST_GAIN = -2.01
-        const val NEUTRAL = -1.01
+        const val NEUTRAL = -0.51
+        const val RAISING = -1.51
+        const val WELCOME = 1.51
         const val GOOD = 0.9
 
         /** Elements below this before smoothing are not worth a trial. */
@@ -172,6 +186,14 @@ internal class PatchTrials(
 
         /** Energy of the two elements by which a collapse lessens the sum: what a fair pair has. */
         const val PAIR = 0.04
+
+        /**
+         * Where the energy is still above that before surgery by this much after the seeds have been smoothed, or the whole
+         * patch once, a trial is given up: of those that are kept in the end 1 in 20 is lost, of the others 19 in 20 end here.
+         */
+        const val HOPELESS_FLIP = 0.12
+        const val HOPELESS = 0.15
+        const val HOPELESS_PATCH = 0.05
 
         /** Edges beyond these shares of their size are tried. */
         const val SHORT = 0.75

@@ -23,7 +23,7 @@ internal class Smoother(
             progress.tick(n, count)
             if (connectivity.outgoing[n] < 0 || !changes.take(n, Changes.SMOOTHING)) continue
             star.gather(connectivity, n)
-            if (!star.newtonStep(steep = false)) continue
+            if (!star.smoothingStep()) continue
             val dx = star.x - mesh.xy[2 * n]
             val dy = star.y - mesh.xy[2 * n + 1]
             mesh.xy[2 * n] = star.x
@@ -31,7 +31,7 @@ internal class Smoother(
             val least = tolerance * mesh.sizes[n]
             if (dx * dx + dy * dy <= least * least) continue
             moved = true
-            changes.touch(n, Changes.SMOOTHING)
+            changes.touch(n, Changes.SMOOTHING or Changes.FLIPS)
             for (i in 0 until star.count) changes.touch(star.ring[i], Changes.SMOOTHING)
         }
         return moved

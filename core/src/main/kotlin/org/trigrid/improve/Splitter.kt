@@ -93,9 +93,9 @@ internal class Splitter(
         far.add(MADE, near.x, near.y)
         far.close()
         for (round in 0..1) {
-            near.newtonStep(steep = false)
+            near.smoothingStep()
             setLast(far, near)
-            far.newtonStep(steep = false)
+            far.smoothingStep()
             setLast(near, far)
         }
     }

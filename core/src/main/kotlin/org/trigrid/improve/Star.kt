@@ -29,6 +29,9 @@ internal class Star {
     private var hessianXx = 0.0
     private var hessianXy = 0.0
     private var hessianYy = 0.0
+    private var shortestEdge2 = 0.0
+    private var stepX = 0.0
+    private var stepY = 0.0
 
     /** Fills the ring of a free node and puts the place at the node. */
     fun gather(connectivity: Connectivity, node: Int) {
@@ -115,15 +118,44 @@ internal class Star {
     }
 
     /**
+     * A step beyond the least sum of 1/q as Newton's method sees it, [EAGERNESS] times as far: the neighbours will follow, and
+     * sweeps over many nodes converge faster. Returns whether the place moved.
+     *
+     * No element's 1/q is above F = sum - (count - 1), the others being 1 at least. As N is at least 1.5 times the squared ring
+     * edge e, the place is 0.43 e / F away from the edge's line or more: a step of half of that is safe without a look.
+     */
+    fun smoothingStep(): Boolean {
+        val before = derive(steep = false)
+        if (!prepareStep(before)) return false
+        val farX = EAGERNESS * stepX
+        val farY = EAGERNESS * stepY
+        val highest = before - (count - 1)
+        val isShort = (farX * farX + farY * farY) * highest * highest < SAFE * shortestEdge2
+        if (!isShort && !(sumAt(x + farX, y + farY, steep = false) < before)) return shortenedStep(before, steep = false)
+        x += farX
+        y += farY
+        return true
+    }
+
+    /**
      * One Newton step towards the least sum of 1/q or, if [steep], of (1/q)^8, which cares for the worst element nearly
      * alone; halved until the sum falls. Returns whether the place moved.
      */
     fun newtonStep(steep: Boolean): Boolean {
         val before = derive(steep)
+        return prepareStep(before) && shortenedStep(before, steep)
+    }
+
+    private fun prepareStep(before: Double): Boolean {
         val det = hessianXx * hessianYy - hessianXy * hessianXy
         if (before == Double.POSITIVE_INFINITY || !(det > 0)) return false
-        var stepX = (hessianXy * gradientY - hessianYy * gradientX) / det
-        var stepY = (hessianXy * gradientX - hessianXx * gradientY) / det
+        val inverse = 1 / det
+        stepX = (hessianXy * gradientY - hessianYy * gradientX) * inverse
+        stepY = (hessianXy * gradientX - hessianXx * gradientY) * inverse
+        return true
+    }
+
+    private fun shortenedStep(before: Double, steep: Boolean): Boolean {
         for (trial in 0..MAX_HALVINGS) {
             if (sumAt(x + stepX, y + stepY, steep) < before) {
                 x += stepX
@@ -165,6 +197,7 @@ internal class Star {
         var hxx = 0.0
         var hxy = 0.0
         var hyy = 0.0
+        var shortest = Double.POSITIVE_INFINITY
         var ax = xy[0] - x
         var ay = xy[1] - y
         for (i in 1..count) {
@@ -173,8 +206,10 @@ internal class Star {
             val ex = bx - ax
             val ey = by - ay
             val d = ax * by - ay * bx
-            val n = ax * ax + ay * ay + bx * bx + by * by + ex * ex + ey * ey
+            val e2 = ex * ex + ey * ey
+            val n = ax * ax + ay * ay + bx * bx + by * by + e2
             if (d <= SURELY_POSITIVE * n) return Double.POSITIVE_INFINITY
+            if (e2 < shortest) shortest = e2
             val inverse = 1 / d
             val f = SCALE * n * inverse
             // grad D = (-ey, ex), grad N = -2 (a + b), second derivatives of N: 4 on the diagonal.
@@ -204,6 +239,7 @@ internal class Star {
         hessianXx = hxx
         hessianXy = hxy
         hessianYy = hyy
+        shortestEdge2 = shortest
         return sum
     }
 
@@ -227,5 +263,11 @@ internal class Star {
         /** Turns N / D into 1/q: 1 / (2 sqrt(3)). */
         private const val SCALE = 0.28867513459481287
         private const val MAX_HALVINGS = 3
+
+        /** Factor of over-relaxation. */
+        private const val EAGERNESS = 1.4
+
+        /** Square of half of sqrt(3) / 4. */
+        private const val SAFE = 0.046
     }
 }

@@ -54,7 +54,7 @@ internal class WorstSmoother(
             mesh.xy[2 * n + 1] = star.y
             val least = 0.5 * tolerance * mesh.sizes[n]
             if (dx * dx + dy * dy <= least * least) continue
-            changes.touch(n, Changes.WORST)
+            changes.touch(n, Changes.WORST or Changes.FLIPS)
             for (i in 0 until star.count) changes.touch(star.ring[i], Changes.WORST)
         }
     }
@@ -63,7 +63,7 @@ internal class WorstSmoother(
         const val SWEEPS = 6
 
         /** Elements below this are to be mended; stars above [FAIR] are left alone. */
-        const val BAD = 0.85
-        const val FAIR = 0.95
+        const val BAD = 0.9
+        const val FAIR = 0.96
     }
 }

@@ -27,6 +27,9 @@ internal class LinearField(
 ) : SizeField {
     private val walk = TriangleWalk(mesh)
     private var lastSource = -1
+
+    /** Of the corners of the triangle at hand, at the place at hand: what the gradation allows. */
+    private var lowestCone = 0.0
     private val steep = BitSet(mesh.triangleCount)
     private val uneven = BitSet(mesh.triangleCount)
 
@@ -41,7 +44,6 @@ internal class LinearField(
                 if (typical[node] > NOTABLE * sizes[node]) uneven.set(t)
                 if (reach[node] < Math.max(distance(node, mesh.nodes[next(k)]), distance(node, mesh.nodes[next(next(k))]))) {
                     uneven.set(t)
-                    steep.set(t)
                 }
             }
         }
@@ -62,15 +64,22 @@ internal class LinearField(
     private fun interpolated(t: Int): Double =
         weighted(sizes[mesh.nodes[3 * t]], sizes[mesh.nodes[3 * t + 1]], sizes[mesh.nodes[3 * t + 2]])
 
-    private fun interpolated(t: Int, x: Double, y: Double): Double =
-        weighted(grown(mesh.nodes[3 * t], x, y), grown(mesh.nodes[3 * t + 1], x, y), grown(mesh.nodes[3 * t + 2], x, y))
+    private fun interpolated(t: Int, x: Double, y: Double): Double {
+        lowestCone = Double.POSITIVE_INFINITY
+        val a = grown(mesh.nodes[3 * t], x, y)
+        val b = grown(mesh.nodes[3 * t + 1], x, y)
+        val c = grown(mesh.nodes[3 * t + 2], x, y)
+        return Math.min(lowestCone, weighted(a, b, c))
+    }
 
     private fun grown(node: Int, x: Double, y: Double): Double {
         val size = sizes[node]
         val dx = x - mesh.xy[2 * node]
         val dy = y - mesh.xy[2 * node + 1]
         val distance = Math.sqrt(dx * dx + dy * dy)
-        val near = Math.max(size, Math.min(typical[node], size + gradation * distance))
+        val cone = size + gradation * distance
+        if (cone < lowestCone) lowestCone = cone
+        val near = Math.max(size, Math.min(typical[node], cone))
         return if (distance > reach[node]) near + gradation * (distance - reach[node]) else near
     }
 
