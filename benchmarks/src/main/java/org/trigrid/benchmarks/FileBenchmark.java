@@ -34,18 +34,18 @@ public class FileBenchmark {
     @State(Scope.Benchmark)
     public static class FileState {
         @Param({"msh22", "msh41", "msh22-binary", "msh41-binary"})
-        public String name;
+        public String format;
 
-        private MeshFormat format;
+        private MeshFormat chosen;
         private TriMesh mesh;
         private byte[] file;
 
         @Setup(Level.Trial)
         public void createFile(DomainState given) throws IOException {
-            format = MeshFormats.named(name);
+            chosen = MeshFormats.named(format);
             mesh = MeshGenerator.generate(given.domain).mesh();
             ByteArrayOutputStream out = new ByteArrayOutputStream();
-            MeshFormats.write(mesh, out, format);
+            MeshFormats.write(mesh, out, chosen);
             file = out.toByteArray();
         }
     }
@@ -59,7 +59,7 @@ public class FileBenchmark {
 
     @Benchmark
     public void write(FileState state, Volume volume) throws IOException {
-        MeshFormats.write(state.mesh, OutputStream.nullOutputStream(), state.format);
+        MeshFormats.write(state.mesh, OutputStream.nullOutputStream(), state.chosen);
         volume.megabytes += state.file.length / 1e6;
     }
 

@@ -88,6 +88,22 @@ class ReworkCommandsTest {
     }
 
     @Test
+    fun `refining by a project follows its curves`() {
+        val project = Samples.file(
+            folder, "disc.trigrid.json",
+            """{"format": "trigrid", "version": 1, "path": [{"type": "circle", "centre": [0, 0], "radius": 1, "spacing": 0.3}]}""",
+        )
+        val mesh = folder.resolve("disc.msh")
+        Outcome.of("mesh", project, "-o", mesh)
+        val outcome = Outcome.of("refine", mesh, "-o", folder.resolve("fine.msh"), "--times", "3", "--project", project)
+        assertEquals(ExitCodes.DONE, outcome.code, outcome.err)
+        val fine = MeshFormats.read(folder.resolve("fine.msh"))
+        assertEquals(Math.PI, fine.outline().area, 2e-3)
+        val missing = Outcome.of("refine", mesh, "-o", folder.resolve("fine.msh"), "--project", folder.resolve("no.trigrid.json"))
+        assertEquals(ExitCodes.FILE_TROUBLE, missing.code)
+    }
+
+    @Test
     fun `a broken mesh is not worked on`() {
         val folded = Samples.file(
             folder, "folded.msh",

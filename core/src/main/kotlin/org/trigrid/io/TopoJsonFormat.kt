@@ -18,6 +18,8 @@ internal class TopoJsonReader(private val document: JsonDocument, private val ba
     private val root = document.root as? JsonObject ?: document.fail(JsonPath.ROOT, "an object must stand here")
     private val domains = ArrayList<NamedDomain>()
     private val arcs: List<DoubleArray> by lazy { readArcs() }
+    private val mostUses by lazy { MOST_USES * (1L + arcs.sumOf { it.size / 2 }) }
+    private var uses = 0L
 
     fun read(): List<NamedDomain> {
         if ((root["type"] as? JsonPrimitive)?.content != "Topology") document.fail(JsonPath.ROOT, "the type must be \"Topology\"")
@@ -70,6 +72,8 @@ internal class TopoJsonReader(private val document: JsonDocument, private val ba
                 xy.add(arc[2 * from])
                 xy.add(arc[2 * from + 1])
             }
+            uses += count
+            if (uses > mostUses) document.fail(at[i], "the arcs are used more than $MOST_USES times in the mean")
         }
         if (xy.isEmpty()) document.fail(at, "a ring must have arcs")
         return RingPoints.withoutRepeatedEnd(xy.toDoubleArray())
@@ -110,4 +114,9 @@ internal class TopoJsonReader(private val document: JsonDocument, private val ba
     }
 
     private fun array(element: JsonElement?, at: JsonPath) = element as? JsonArray ?: document.fail(at, "an array must stand here")
+
+    private companion object {
+        /** Two polygons share an arc, and other objects may name it again; more would make much of a small file. */
+        const val MOST_USES = 50
+    }
 }

@@ -100,6 +100,24 @@ class BatchTest {
     }
 
     @Test
+    fun `the countries of the world`() {
+        val world = Path.of("..", "src-test-data", "world", "countries-110m.json")
+        val outcome = Outcome.of("mesh", world, "--out-dir", meshes, "--report", report, "--jobs", "2", "--format", "msh41-binary")
+        // Outlines that cross themselves at the 180th meridian, or where the file's rounding has moved a corner over an edge.
+        assertEquals(ExitCodes.INVALID_DOMAIN, outcome.code)
+        assertEquals(399, lines().count { text(it, "status") == "done" })
+        assertEquals(
+            setOf(
+                "Antarctica_8", "Fiji_2", "North Korea_1", "Russia_10", "Russia_11", "Sudan", "land_122", "land_2", "land_3", "land_68",
+            ),
+            lines().filter { text(it, "status") == "failed" }.map { text(it, "name") }.toSet(),
+        )
+        for (line in lines().filter { text(it, "status") == "done" }) {
+            assertEquals(emptyList<Any>(), org.trigrid.mesh.MeshCheck.check(MeshFormats.read(Path.of(text(line, "output")))), text(line, "name"))
+        }
+    }
+
+    @Test
     fun `patterns, and files of one name`() {
         outlines()
         val outcome = Outcome.of("mesh", "$folder/outlines/**.wkt", "--out-dir", meshes, "--format", "vtu")
