@@ -41,11 +41,16 @@ internal class AbaqusFormat : MeshFormat("abaqus", "Abaqus and CalculiX input", 
         text.text("*NSET, NSET=").line(name)
         writeNumbers(groups.nodes(mesh, curve), text)
         val halves = (0 until groups.size(curve)).map { sides.leftOf(groups.edge(curve, it)) }.sorted()
-        text.text("*ELSET, ELSET=").line("${name}_elements")
+        text.text("*ELSET, ELSET=").line(elementSet(name, groups))
         writeNumbers(halves.map { it / 3 }.distinct().toIntArray(), text)
         if ((0 until groups.size(curve)).any { groups.edge(curve, it) >= mesh.boundaryEdgeCount }) return
         text.text("*SURFACE, TYPE=ELEMENT, NAME=").line(name)
         for (half in halves) text.number(half / 3 + 1).text(", S").number(half % 3 + 1).line()
+    }
+
+    private fun elementSet(name: String, groups: MeshGroups): String {
+        val wanted = name + "_elements"
+        return if (wanted.equals(groups.regionName, ignoreCase = true)) name + "_elements_2" else wanted
     }
 
     private fun writeNumbers(zeroBased: IntArray, text: TextBuffer) {

@@ -1,7 +1,11 @@
 package org.trigrid.io
 
 /** Arithmetic of a `.geo` script: + - * / % ^, brackets, functions of one or two numbers, variables. */
-internal class GeoExpressions(private val tokens: GeoTokens) {
+internal class GeoExpressions(
+    private val tokens: GeoTokens,
+    /** Values of names that Gmsh gives itself, such as `newp`; null for others. */
+    private val given: (String) -> Double? = { null },
+) {
     private val variables = HashMap<String, Double>()
     private var depth = 0
 
@@ -96,7 +100,8 @@ internal class GeoExpressions(private val tokens: GeoTokens) {
                 tokens.next()
                 if (tokens.takeIf("(")) return call(word, place, ")")
                 if (tokens.takeIf("[")) return call(word, place, "]")
-                return variables[word] ?: (if (word == "Pi") Math.PI else tokens.failAt(place, "there is no variable $word"))
+                if (word == "Pi") return Math.PI
+                return variables[word] ?: given(word) ?: tokens.failAt(place, "there is no variable $word")
             }
             else -> {
                 if (!tokens.takeIf("(")) tokens.fail("expected a number, found ${tokens.shown()}")

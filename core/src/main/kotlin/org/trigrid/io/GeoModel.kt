@@ -19,4 +19,13 @@ internal class GeoModel {
     val surfaceNames = HashMap<Int, String>()
     val divisions = HashMap<Int, OutlineDivision>()
     lateinit var complaint: GeoTokens
+
+    /** The first number that no entity of a kind has, by Gmsh's name for it. */
+    fun newNumber(name: String): Int? = when (name) {
+        "newp" -> 1 + (points.keys.maxOrNull() ?: 0)
+        "newl", "newc" -> 1 + (curves.keys.maxOrNull() ?: 0)
+        "newll", "newcl" -> 1 + (loops.keys.maxOrNull() ?: 0)
+        "news" -> 1 + (surfaces.maxOfOrNull { it.number } ?: 0)
+        else -> null
+    }
 }

@@ -2,8 +2,8 @@ package org.trigrid.io
 
 /** Reads the statements of a `.geo` script. */
 internal class GeoReader(private val tokens: GeoTokens) {
-    private val expressions = GeoExpressions(tokens)
     private val model = GeoModel().also { it.complaint = tokens }
+    private val expressions = GeoExpressions(tokens) { model.newNumber(it)?.toDouble() }
 
     fun read(): GeoModel {
         while (tokens.kind != GeoTokens.Kind.END) if (!tokens.takeIf(";")) statement()

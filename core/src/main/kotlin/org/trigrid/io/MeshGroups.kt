@@ -64,12 +64,14 @@ internal class GroupNames(
     private val ignoresCase: Boolean,
     private val accepts: (Char) -> Boolean,
     private val needsLetterFirst: Boolean = false,
+    /** Names that the format's writer needs itself, in upper case where case does not count. */
+    private val reserved: Set<String> = emptySet(),
 ) {
     fun namer(): Namer = Namer()
 
     /** Makes names of one file fit, and different from each other. */
     inner class Namer {
-        private val taken = HashSet<String>()
+        private val taken = HashSet(reserved)
 
         fun name(wanted: String): String {
             val base = clean(wanted)
@@ -98,7 +100,9 @@ internal class GroupNames(
         val MSH = GroupNames(127, ignoresCase = false, { it !in REFUSED })
 
         /** Letters, digits, - and _ only, told apart without case; CalculiX takes 80 characters less a suffix of its own. */
-        val ABAQUS = GroupNames(64, ignoresCase = true, { it.isLetterOrDigit() || it == '_' || it == '-' }, needsLetterFirst = true)
+        val ABAQUS = GroupNames(
+            64, ignoresCase = true, { it.isLetterOrDigit() || it == '_' || it == '-' }, needsLetterFirst = true, setOf("NALL"),
+        )
 
         /** Without blanks, for formats whose words end at them. */
         val WORD = GroupNames(127, ignoresCase = false, { it.isLetterOrDigit() || it in "_-.+" })

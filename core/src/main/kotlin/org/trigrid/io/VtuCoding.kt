@@ -101,6 +101,7 @@ internal class VtuCoding {
                 val count = inflater.inflate(buffer)
                 if (count == 0) complaint.fail("compressed data end too early")
                 out.write(buffer, 0, count)
+                if (out.size() > MOST_PART * Runtime.getRuntime().maxMemory()) complaint.fail("Java's heap ends at less than the data inflated need")
             }
         } catch (_: DataFormatException) {
             complaint.fail("the compressed data are damaged")
@@ -111,6 +112,11 @@ internal class VtuCoding {
 
     private fun ordered(bytes: ByteArray) =
         ByteBuffer.wrap(bytes).order(if (isBigEndian) ByteOrder.BIG_ENDIAN else ByteOrder.LITTLE_ENDIAN)
+
+    private companion object {
+        /** Part of the heap that one array may take before its numbers are made of it. */
+        const val MOST_PART = 0.1
+    }
 }
 
 /** Bytes of an array, one after the other. */

@@ -98,6 +98,16 @@ class GeoReaderTest {
     }
 
     @Test
+    fun `new numbers`() {
+        val text = """
+            a = newp; Point(a) = {0, 0, 0}; b = newp; Point(b) = {1, 0, 0}; c = newp; Point(c) = {0, 1, 0};
+            i = newl; Line(i) = {a, b}; Line(newl) = {b, c}; j = newc; Line(j) = {c, a};
+            Curve Loop(newll) = {i:j}; Plane Surface(news) = {1};
+        """.trimIndent()
+        assertEquals(0.5, read(text).area)
+    }
+
+    @Test
     fun `arithmetic`() {
         fun value(expression: String) = GeoExpressions(GeoTokens(expression, "x.geo")).number()
         assertEquals(7.0, value("1 + 2 * 3"))

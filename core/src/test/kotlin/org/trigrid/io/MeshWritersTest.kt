@@ -73,6 +73,17 @@ class MeshWritersTest {
     }
 
     @Test
+    fun `sets of Abaqus have names of their own`() {
+        val mesh = TriMeshFactory.of(
+            doubleArrayOf(0.0, 0.0, 1.0, 0.0, 0.0, 1.0), intArrayOf(0, 1, 2), intArrayOf(0, 1, 1, 2), intArrayOf(0, 1), listOf("nall", "a"), "A_elements",
+        )
+        val lines = text(mesh, MeshFormat.ABAQUS).lines()
+        for (line in listOf("*NODE, NSET=Nall", "*NSET, NSET=nall_2", "*ELEMENT, TYPE=CPS3, ELSET=A_elements", "*ELSET, ELSET=a_elements_2")) {
+            assertTrue(line in lines, "$line in $lines")
+        }
+    }
+
+    @Test
     fun `SU2 has a marker for each tag of the boundary and none for embedded edges`() {
         val lines = text(two, MeshFormat.SU2).lines()
         assertEquals(listOf("NDIME= 2", "NELEM= 2", "5 0 1 2 0", "5 0 2 3 1", "NPOIN= 4", "0 0 0"), lines.take(6))
