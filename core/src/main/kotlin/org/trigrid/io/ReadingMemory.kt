@@ -15,16 +15,20 @@ internal object ReadingMemory {
     /** The text itself, and the bytes it is decoded from. */
     const val TEXT = 3.0
     const val MSH = 8.0
-    const val VTU = 16.0
     const val WKT = 20.0
     const val POLY = 60.0
-    const val DRAWING = 100.0
 
     /** For each value of a JSON text, its key and its place in the value round it. */
     const val JSON_VALUE = 200.0
 
     /** An array cannot be longer, whatever the heap. */
     private const val LONGEST = Int.MAX_VALUE - 16L
+
+    /** Of the file; packed numbers take more than twice as much when they are unpacked. */
+    const val VTU = 16.0
+
+    /** SVG, DXF and `.geo`. */
+    const val DRAWING = 100.0
 
     /** @throws FileFormatException if [multiple] times the size of [file] is more than the heap may hold. */
     @Throws(IOException::class)
