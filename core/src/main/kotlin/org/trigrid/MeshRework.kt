@@ -23,7 +23,8 @@ public object MeshRework {
 
     /**
      * The mesh with better elements of about the same sizes: nodes inside move, come and go; nodes and edges of the boundary and
-     * of embedded lines stay exactly as they are, but for their numbers. The mesh itself, if no better one is found by smallest or mean quality.
+     * of embedded lines stay exactly as they are, but for their numbers. The mesh itself, if no better one is found by
+     * smallest or mean quality.
      *
      * @param monitor hears of the progress, as stage [Stage.IMPROVE], and may cancel.
      * @throws IllegalArgumentException if [mesh] is not valid by [MeshCheck].

@@ -66,7 +66,8 @@ internal class ConvertCommand(private val session: Session) : Callable<Int> {
         if (MeshInput.isMesh(from)) return convertMesh(from, to)
         val target = domainFormat(to)
         if (target == null && !DomainInputs.isProject(to)) {
-            throw ParameterException(spec.commandLine(), "a domain can be written as ${writable()}; meshes of it are made by 'trigrid mesh'")
+            val message = "a domain can be written as ${writable()}; meshes of it are made by 'trigrid mesh'"
+            throw ParameterException(spec.commandLine(), message)
         }
         OutputPlace.check(to)
         val domains = InputFailure.naming(from) { DomainInputs.read(from, options) }.map { NamedDomain(it.name, it.domain) }
@@ -76,7 +77,9 @@ internal class ConvertCommand(private val session: Session) : Callable<Int> {
     }
 
     private fun convertMesh(from: Path, to: Path): Int {
-        val asDomain = domainFormat(to)?.takeIf { MeshFormats.forWriting(to) == null || format != null && MeshFormats.named(format!!) == null }
+        val wanted = format
+        val isMesh = if (wanted == null) MeshFormats.forWriting(to) != null else MeshFormats.named(wanted) != null
+        val asDomain = if (isMesh) null else domainFormat(to)
         val meshFormat = if (asDomain == null) MeshOutput.format(format, to, spec.commandLine()) else null
         OutputPlace.check(to)
         val mesh = MeshInput.read(from)
@@ -121,6 +124,7 @@ internal object FormatList {
 
     private fun line(format: FileFormat): String {
         val can = listOfNotNull("read".takeIf { format.canRead }, "write".takeIf { format.canWrite }).joinToString(", ")
-        return "  %-13s %-12s %-14s %s".format(java.util.Locale.ROOT, format.name, can, format.endings.take(2).joinToString(" "), format.title)
+        val endings = format.endings.take(2).joinToString(" ")
+        return "  %-13s %-12s %-14s %s".format(java.util.Locale.ROOT, format.name, can, endings, format.title)
     }
 }

@@ -47,7 +47,8 @@ internal class ExplodingArguments {
     fun toOptions(commandLine: CommandLine): InputOptions {
         if (spacing == null && ratio != null) throw ParameterException(commandLine, "--ratio needs --spacing")
         val lengthUnit = unit?.let {
-            LengthUnit.ofSymbol(it) ?: throw ParameterException(commandLine, "--unit must be one of ${LengthUnit.entries.joinToString { u -> u.symbol }}")
+            val symbols = LengthUnit.entries.joinToString { unit -> unit.symbol }
+            LengthUnit.ofSymbol(it) ?: throw ParameterException(commandLine, "--unit must be one of $symbols, not $it")
         }
         return try {
             var division = CurveDivision.DEFAULT.withUnit(lengthUnit)

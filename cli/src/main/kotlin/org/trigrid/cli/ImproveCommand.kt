@@ -16,7 +16,9 @@ import java.util.concurrent.Callable
 /** Improves the elements of a mesh that is there. */
 @Command(
     name = "improve",
-    description = ["Make the elements of a mesh file better: nodes inside move, come and go; boundaries and lines stay exactly as they are."],
+    description = [
+        "Make the elements of a mesh file better: nodes inside move, come and go; boundaries and lines stay exactly as they are.",
+    ],
     mixinStandardHelpOptions = true,
     sortOptions = false,
     footer = ["", "Example:", "  trigrid improve made-elsewhere.msh -o better.msh"],

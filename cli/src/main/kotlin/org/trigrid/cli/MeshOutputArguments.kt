@@ -10,10 +10,16 @@ import java.nio.file.Path
 
 /** Where a reworked mesh goes. */
 internal class MeshOutputArguments {
-    @Option(names = ["-o", "--output"], paramLabel = "OUT", required = true, description = ["The mesh file to write; its ending tells the format."])
+    @Option(
+        names = ["-o", "--output"], paramLabel = "OUT", required = true,
+        description = ["The mesh file to write; its ending tells the format."],
+    )
     lateinit var output: Path
 
-    @Option(names = ["--format"], paramLabel = "NAME", description = ["Another format than the ending tells; 'trigrid convert --list' names them."])
+    @Option(
+        names = ["--format"], paramLabel = "NAME",
+        description = ["Another format than the ending tells; 'trigrid convert --list' names them."],
+    )
     var format: String? = null
 
     /** Finds out before the work what would only fail after it. */

@@ -61,7 +61,8 @@ internal class RefineCommand(private val session: Session) : Callable<Int> {
         if (before * Math.pow(4.0, times.toDouble()) > Int.MAX_VALUE / 3) {
             throw ParameterException(spec.commandLine(), "$before elements divided $times times are too many")
         }
-        val middles = project?.let { file -> ShapeMiddles(InputFailure.naming(file) { ProjectFile.read(file) }.path) } ?: EdgeMiddles.STRAIGHT
+        val curves = project?.let { file -> InputFailure.naming(file) { ProjectFile.read(file) } }
+        val middles = if (curves == null) EdgeMiddles.STRAIGHT else ShapeMiddles(curves.path)
         repeat(times) { mesh = MeshRework.refine(mesh, middles) }
         target.write(Numbering.renumber(mesh, if (noRenumber) NumberingMethod.NONE else NumberingMethod.BEST), spec.commandLine())
         session.terminal.out.println("${target.output}: ${mesh.nodeCount} nodes, $before -> ${mesh.elementCount} elements")

@@ -34,7 +34,8 @@ internal class RenumberCommand(private val session: Session) : Callable<Int> {
     var numbering: String = "best"
 
     override fun call(): Int {
-        val method = METHODS[numbering] ?: throw ParameterException(spec.commandLine(), "--numbering must be best or cuthill-mckee, not $numbering")
+        val method = METHODS[numbering]
+            ?: throw ParameterException(spec.commandLine(), "--numbering must be best or cuthill-mckee, not $numbering")
         target.check(spec.commandLine())
         val mesh = ValidMesh(session).read(input) ?: return ExitCodes.INVALID_DOMAIN
         val renumbered = Numbering.renumber(mesh, method)

@@ -31,7 +31,8 @@ internal class TriGridCommand(private val session: Session) : Runnable {
     lateinit var spec: CommandSpec
 
     override fun run() {
-        throw ParameterException(spec.commandLine(), "say what to do: mesh, check, info, picture, convert, renumber, improve, refine or edit")
+        val message = "say what to do: mesh, check, info, picture, convert, renumber, improve, refine or edit"
+        throw ParameterException(spec.commandLine(), message)
     }
 
     /** The version of the jar that runs. */

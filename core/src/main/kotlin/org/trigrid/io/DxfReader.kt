@@ -61,7 +61,12 @@ internal class DxfReader(private val pairs: DxfPairs, private val unit: LengthUn
     }
 
     private fun add(entity: DxfEntity, curve: PlaneCurve) {
-        pieces.add(OutlinePiece(when { scale == 1.0 -> curve; curve is StraightLine -> curve.scaled(scale); else -> ScaledCurve(curve, scale) }, entity.layer))
+        val scaled = when {
+            scale == 1.0 -> curve
+            curve is StraightLine -> curve.scaled(scale)
+            else -> ScaledCurve(curve, scale)
+        }
+        pieces.add(OutlinePiece(scaled, entity.layer))
     }
 
     private fun addCircle(entity: DxfEntity, from: Double, to: Double) {
@@ -81,7 +86,9 @@ internal class DxfReader(private val pairs: DxfPairs, private val unit: LengthUn
         var turns = end - from
         if (turns <= 0) turns -= Math.floor(turns)
         if (turns == 0.0 || Math.abs(turns - 1) < WHOLE_TURN) turns = 1.0
-        add(entity, EllipseArc(entity[10], entity[20], entity[11], entity[21], -sign * share * entity[21], sign * share * entity[11], from, from + turns))
+        val bx = -sign * share * entity[21]
+        val by = sign * share * entity[11]
+        add(entity, EllipseArc(entity[10], entity[20], entity[11], entity[21], bx, by, from, from + turns))
     }
 
     private fun readPolyline(entity: DxfEntity): Boolean {

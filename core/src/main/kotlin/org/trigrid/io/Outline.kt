@@ -125,9 +125,10 @@ internal object PieceDivision {
         if (curve is StraightLine && spacing.isNaN() && piece.division == null) {
             return doubleArrayOf(curve.beginX, curve.beginY, curve.endX, curve.endY)
         }
-        if (!isResolved(curve)) return doubleArrayOf(curve.beginX, curve.beginY, curve.endX, curve.endY)
+        val ends = doubleArrayOf(curve.beginX, curve.beginY, curve.endX, curve.endY)
+        if (!isResolved(curve)) return ends
         val track = CurveTrack(curve)
-        if (!(track.length > 0 && track.length < Double.POSITIVE_INFINITY)) return doubleArrayOf(curve.beginX, curve.beginY, curve.endX, curve.endY)
+        if (!(track.length > 0 && track.length < Double.POSITIVE_INFINITY)) return ends
         val least = if (isAlone) 3 else 1
         if (spacing.isNaN()) {
             val division = piece.division ?: OutlineDivision(maxOf(least, byBend(curve)), 1.0)

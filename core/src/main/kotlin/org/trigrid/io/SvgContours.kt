@@ -81,7 +81,8 @@ internal class SvgContours(private val map: AffineMap, private val tag: String) 
         if (!arc.isSweep && turns > 0) turns -= 1
         val centreX = cos * rx * cx - sin * ry * cy + (x0 + x1) / 2
         val centreY = sin * rx * cx + cos * ry * cy + (y0 + y1) / 2
-        addEllipse(centreX, centreY, doubleArrayOf(cos * rx, sin * rx, -sin * ry, cos * ry), from, from + turns, doubleArrayOf(x0, y0, x1, y1))
+        val axes = doubleArrayOf(cos * rx, sin * rx, -sin * ry, cos * ry)
+        addEllipse(centreX, centreY, axes, from, from + turns, doubleArrayOf(x0, y0, x1, y1))
     }
 
     fun ellipse(x: Double, y: Double, rx: Double, ry: Double) {

@@ -71,7 +71,10 @@ internal class SvgReader(private val input: DomainText) {
         return value
     }
 
-    private fun radius(attribute: String): Double = if (xml.attribute(attribute).let { it == null || it == "auto" }) Double.NaN else number(attribute)
+    private fun radius(attribute: String): Double {
+        val text = xml.attribute(attribute)
+        return if (text == null || text == "auto") Double.NaN else number(attribute)
+    }
 
     private fun points(): DoubleArray {
         val numbers = SvgNumbers(xml.attribute("points").orEmpty(), xml)

@@ -31,7 +31,8 @@ internal class TopoJsonReader(private val document: JsonDocument, private val ba
 
     private fun readGeometry(element: JsonElement, at: JsonPath, name: String) {
         val geometry = element as? JsonObject ?: document.fail(at, "an object must stand here")
-        val ownName = ((geometry["properties"] as? JsonObject)?.get("name") as? JsonPrimitive)?.takeIf { it.isString }?.content?.ifBlank { null } ?: name
+        val given = (geometry["properties"] as? JsonObject)?.get("name") as? JsonPrimitive
+        val ownName = given?.takeIf { it.isString }?.content?.ifBlank { null } ?: name
         when (val type = (geometry["type"] as? JsonPrimitive)?.content) {
             "GeometryCollection" -> array(geometry["geometries"], at["geometries"]).forEachIndexed { i, inner ->
                 readGeometry(inner, at["geometries"][i], ownName)

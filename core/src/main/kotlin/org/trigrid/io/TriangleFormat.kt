@@ -74,9 +74,10 @@ internal class TriangleFormat : MeshFormat(
         }
     }
 
-    override fun read(file: Path): TriMesh = TriangleReader(
-        sibling(file, ".node"), sibling(file, ".ele"), listOf(sibling(file, ".poly"), sibling(file, ".edge")).firstOrNull { Files.exists(it) },
-    ).read()
+    override fun read(file: Path): TriMesh {
+        val edges = listOf(sibling(file, ".poly"), sibling(file, ".edge")).firstOrNull { Files.exists(it) }
+        return TriangleReader(sibling(file, ".node"), sibling(file, ".ele"), edges).read()
+    }
 }
 
 /** Tags of edges and nodes as markers: the tag's number + 1, 0 without a tag. */

@@ -27,7 +27,8 @@ internal class TriangleReader(
     }
 
     fun read(nodes: String, elements: String, edges: String?): TriMesh {
-        val contents = MeshContents({ reason -> throw FileFormatException(current.source, current.lineNumber, 0, reason) }, "marker_", "region_")
+        val complaint = Complaint { reason -> throw FileFormatException(current.source, current.lineNumber, 0, reason) }
+        val contents = MeshContents(complaint, "marker_", "region_")
         current = PolyLines(nodeFile.toString(), nodes)
         readNodes(current, contents)
         if (edges != null) {

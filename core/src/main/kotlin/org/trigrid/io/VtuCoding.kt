@@ -101,7 +101,8 @@ internal class VtuCoding {
                 val count = inflater.inflate(buffer)
                 if (count == 0) complaint.fail("compressed data end too early")
                 out.write(buffer, 0, count)
-                if (out.size() > MOST_PART * Runtime.getRuntime().maxMemory()) complaint.fail("Java's heap ends at less than the data inflated need")
+                val most = MOST_PART * Runtime.getRuntime().maxMemory()
+                if (out.size() > most) complaint.fail("Java's heap ends at less than the unpacked data need")
             }
         } catch (_: DataFormatException) {
             complaint.fail("the compressed data are damaged")

@@ -12,7 +12,8 @@ internal class UniformRefinement(private val mesh: TriMesh, private val middles:
         require(4L * halves < Int.MAX_VALUE) { "${mesh.elementCount} elements are too many to be divided" }
         for (half in 0 until halves) if (MeshTopology.ownsEdge(half, mesh.neighbours)) middle[half] = nodeCount++
         for (half in 0 until halves) if (!MeshTopology.ownsEdge(half, mesh.neighbours)) middle[half] = middle[twinOf(half)]
-        return TriMeshFactory.of(places(), elements(), lines(), IntArray(2 * mesh.taggedEdgeCount) { mesh.edgeTag(it / 2) }, mesh.tags, mesh.regionName)
+        val tags = IntArray(2 * mesh.taggedEdgeCount) { mesh.edgeTag(it / 2) }
+        return TriMeshFactory.of(places(), elements(), lines(), tags, mesh.tags, mesh.regionName)
     }
 
     private fun twinOf(half: Int): Int {

@@ -72,13 +72,18 @@ internal class BatchProgress(
         val left = if (fraction > 0) seconds * (1 - fraction) / fraction else 0.0
         val bar = "#".repeat(done) + "-".repeat(WIDTH - done)
         return String.format(
-            Locale.ROOT, "[%s] %3.0f %% %d meshes, %.1f/s, %d failed, %s left", bar, 100 * fraction, meshes, meshes / seconds, failed, duration(left),
+            Locale.ROOT, "[%s] %3.0f %% %d meshes, %.1f/s, %d failed, %s left",
+            bar, 100 * fraction, meshes, meshes / seconds, failed, duration(left),
         )
     }
 
     private fun duration(seconds: Double): String {
         val whole = Math.round(seconds)
-        return if (whole < 60) "$whole s" else if (whole < 3600) "${whole / 60} min ${whole % 60} s" else "${whole / 3600} h ${whole / 60 % 60} min"
+        return when {
+            whole < 60 -> "$whole s"
+            whole < 3600 -> "${whole / 60} min ${whole % 60} s"
+            else -> "${whole / 3600} h ${whole / 60 % 60} min"
+        }
     }
 
     private fun clear() {

@@ -112,7 +112,8 @@ internal class BatchRun(
         val code = PrintStream(text, false, Charsets.UTF_8).use { Failures(it).report(error, file.input.toString()) }
         failed(file, name, share, code, text.toString(Charsets.UTF_8))
     } catch (_: OutOfMemoryError) {
-        failed(file, name, share, ExitCodes.DEFECT, "${file.input}: not enough memory; use fewer --jobs, or TRIGRID_JAVA_OPTS=-Xmx8g or the like\n")
+        val advice = "use fewer --jobs, or TRIGRID_JAVA_OPTS=-Xmx8g or the like"
+        failed(file, name, share, ExitCodes.DEFECT, "${file.input}: not enough memory; $advice\n")
     }
 
     private fun <T> failed(file: BatchFile, name: String?, share: Double, code: Int, lines: String): T? {
