@@ -53,6 +53,7 @@ internal class PatchTrials(
         if (quality(a, d, c) < LEAST_QUALITY || quality(b, c, d) < LEAST_QUALITY) return
         patch.begin(a, b, c, d)
         val before = patch.energy(h / 3, g / 3, NONE)
+        if (gain < WELCOME && before < CALM_FLIP) return
         val least = patch.minQuality
         connectivity.flip(h)
         if (isBetter(before, least, h / 3, g / 3, NONE, HOPELESS_FLIP)) return
@@ -111,10 +112,15 @@ internal class PatchTrials(
         val left = mesh.elements[previous(h)]
         val right = mesh.elements[previous(mesh.twins[h])]
         if (wouldStarve(left) || wouldStarve(right)) return false
+        val valence = connectivity.valence
+        val change = ideal.change(n, valence[n], 6) + ideal.change(m, valence[m], valence[m] + valence[n] - 4) +
+            ideal.change(left, valence[left], valence[left] - 1) + ideal.change(right, valence[right], valence[right] - 1)
+        if (change > MOST_CHANGE) return false
         val fixed = if (connectivity.isFree(m)) NONE else m
         connectivity.outgoing[m] = mesh.twins[h]
         patch.begin(n, m, left, right)
         val before = patch.energy(NONE, NONE, fixed) - PAIR
+        if (before < CALM) return false
         val least = patch.minQuality
         val size = mesh.sizes[n]
         connectivity.collapse(h)
@@ -130,9 +136,10 @@ internal class PatchTrials(
     }
 
     private fun trySplit(n: Int, towards: Int) {
-        if (!splitter.prepare(n, towards)) return
+        if (!splitter.prepare(n, towards, MOST_CHANGE)) return
         patch.begin(n, towards, splitter.end(false), splitter.end(true))
         val before = patch.energy(NONE, NONE, NONE) + PAIR
+        if (before < CALM) return
         val least = patch.minQuality
         val made = splitter.split(n)
         patch.addSeed(made)
@@ -180,6 +187,13 @@ internal class PatchTrials(
 
         /** No trial may make the least q worse where it is below this. */
         const val POOR = 0.6
+
+        /** Collapses and splits that raise the squared deviations of the valences by more have hardly ever been kept. */
+        const val MOST_CHANGE = 3.0
+
+        /** Where there is less energy around the four nodes to begin with, there is too little to gain. */
+        const val CALM_FLIP = 0.31
+        const val CALM = 0.33
 
         /** Gain in energy that is worth a change. */
         const val ENOUGH = 0.001

@@ -41,14 +41,18 @@ internal class Splitter(
         return true
     }
 
-    /** Prepares the split of [node] across its edge to [towards], for [split]; false if the elements would be too bad. */
-    fun prepare(node: Int, towards: Int): Boolean {
+    /**
+     * Prepares the split of [node] across its edge to [towards], for [split]; false if the elements would be too bad or the
+     * squared deviations of the valences grow by more than [mostChange].
+     */
+    fun prepare(node: Int, towards: Int, mostChange: Double): Boolean {
         if (connectivity.valence[node] < LEAST_VALENCE) return false
         star.gather(connectivity, node)
         var i = 0
         while (star.ring[i] != towards) i++
         bestSpan = star.count / 2
         bestFirst = (i - bestSpan / 2 + star.count) % star.count
+        if (valenceChange(node, bestFirst, bestSpan) > mostChange) return false
         place(bestFirst, bestSpan)
         return Math.min(near.minQuality(), far.minQuality()) > LEAST_PREPARED
     }
@@ -61,15 +65,11 @@ internal class Splitter(
 
     private fun chooseEnds(node: Int) {
         val d = star.count
-        val valence = connectivity.valence
         bestFirst = -1
         var bestScore = -EQUAL - LENGTH_WEIGHT * (1 - star.meanDistance() / mesh.sizes[node])
         for (span in 3..d / 2) {
-            val own = ideal.change(node, d, d - span + 2) + ideal.change(node, 6, span + 2)
             for (first in 0 until d) {
-                val a = star.ring[first]
-                val b = star.ring[(first + span) % d]
-                val score = own + ideal.change(a, valence[a], valence[a] + 1) + ideal.change(b, valence[b], valence[b] + 1)
+                val score = valenceChange(node, first, span)
                 if (score < bestScore) {
                     bestScore = score
                     bestFirst = first
@@ -77,6 +77,14 @@ internal class Splitter(
                 }
             }
         }
+    }
+
+    private fun valenceChange(node: Int, first: Int, span: Int): Double {
+        val valence = connectivity.valence
+        val a = star.ring[first]
+        val b = star.ring[(first + span) % star.count]
+        return ideal.change(node, star.count, star.count - span + 2) + ideal.change(node, 6, span + 2) +
+            ideal.change(a, valence[a], valence[a] + 1) + ideal.change(b, valence[b], valence[b] + 1)
     }
 
     /** Finds places: the new node gets ring nodes [first] to [first] + [span], the old one the rest and both ends. */
