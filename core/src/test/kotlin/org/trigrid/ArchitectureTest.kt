@@ -96,7 +96,7 @@ class ArchitectureTest {
             "improve" to ground + setOf("spacing", "quality", "front"),
             ROOT_PACKAGE to stages,
             "interop" to setOf("geometry", "domain", "mesh", "numbering"),
-            "io" to ground + "interop",
+            "io" to ground + setOf("shape", "interop"),
             "project" to ground + setOf("shape", "spacing", "numbering", "front", "io", ROOT_PACKAGE),
             "picture" to ground + setOf("quality", "numbering", "io"),
         )

@@ -16,7 +16,7 @@ class BenchmarksTest {
         val log = Files.createTempFile("trigrid-jmh", ".log")
         val options = OptionsBuilder()
             .include("org\\.trigrid\\.benchmarks\\..*")
-            .param("family", "CIRCLE").param("elements", "1e2").param("format", "MSH_22")
+            .param("family", "CIRCLE").param("elements", "1e2").param("format", "msh22")
             .forks(0).warmupIterations(0).measurementIterations(1).measurementTime(TimeValue.milliseconds(1))
             .shouldFailOnError(true).verbosity(VerboseMode.SILENT).output(log.toString())
             .build()

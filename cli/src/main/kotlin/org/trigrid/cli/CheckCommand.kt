@@ -22,7 +22,10 @@ internal class CheckCommand(private val session: Session) : Callable<Int> {
     @Spec
     lateinit var spec: CommandSpec
 
-    @Parameters(paramLabel = "IN", description = ["A project (.trigrid.json), GeoJSON, WKT or Triangle .poly file."])
+    @Parameters(
+        paramLabel = "IN",
+        description = ["A file with domains: a project, GeoJSON, WKT, SVG, DXF, Gmsh .geo, Triangle .poly or a table of points."],
+    )
     lateinit var input: Path
 
     @Mixin

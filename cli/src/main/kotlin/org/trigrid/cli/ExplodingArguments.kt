@@ -1,5 +1,7 @@
 package org.trigrid.cli
 
+import org.trigrid.io.CurveDivision
+import org.trigrid.io.LengthUnit
 import org.trigrid.project.InputOptions
 import picocli.CommandLine
 import picocli.CommandLine.Option
@@ -11,7 +13,8 @@ internal class ExplodingArguments {
         names = ["--spacing"], paramLabel = "S",
         description = [
             "Distance of neighbouring boundary nodes, in the domain's unit, > 0. In a project it takes the place of every " +
-                "shape's spacing; the edges of a polygon file, whose nodes are otherwise kept exactly, are exploded again.",
+                "shape's spacing; the edges of a polygon file, whose nodes are otherwise kept exactly, are exploded again, and " +
+                "so are the curves of a drawing.",
         ],
     )
     var spacing: Double? = null
@@ -28,16 +31,30 @@ internal class ExplodingArguments {
     )
     var keepConnectors: Boolean = false
 
+    @Option(
+        names = ["--join"], paramLabel = "D",
+        description = ["In a DXF drawing, ends no farther from each other are one, >= 0. Default: a millionth of its size."],
+    )
+    var join: Double? = null
+
+    @Option(
+        names = ["--unit"], paramLabel = "U",
+        description = ["Unit of the coordinates of a DXF drawing that tells its own: um, mm, cm, dm, m, km, in, ft, mi."],
+    )
+    var unit: String? = null
+
     /** What was asked for; a spacing or a ratio that cannot be is a usage error. */
     fun toOptions(commandLine: CommandLine): InputOptions {
-        val options = InputOptions.DEFAULT.withKeepConnectors(keepConnectors)
-        val wanted = spacing
-        if (wanted == null) {
-            if (ratio != null) throw ParameterException(commandLine, "--ratio needs --spacing")
-            return options
+        if (spacing == null && ratio != null) throw ParameterException(commandLine, "--ratio needs --spacing")
+        val lengthUnit = unit?.let {
+            val symbols = LengthUnit.entries.joinToString { unit -> unit.symbol }
+            LengthUnit.ofSymbol(it) ?: throw ParameterException(commandLine, "--unit must be one of $symbols, not $it")
         }
         return try {
-            options.withSpacing(wanted, ratio ?: 1.0)
+            var division = CurveDivision.DEFAULT.withUnit(lengthUnit)
+            spacing?.let { division = division.withSpacing(it, ratio ?: 1.0) }
+            join?.let { division = division.withJoin(it) }
+            InputOptions.DEFAULT.withKeepConnectors(keepConnectors).withDivision(division)
         } catch (error: IllegalArgumentException) {
             throw ParameterException(commandLine, "--${error.message}")
         }

@@ -18,7 +18,7 @@ import java.util.concurrent.Callable
     footer = ["", "Example:", "  trigrid info plate.msh"],
 )
 internal class InfoCommand(private val session: Session) : Callable<Int> {
-    @Parameters(paramLabel = "FILE.msh", description = ["A Gmsh mesh file, version 2.2 or 4.1, ASCII."])
+    @Parameters(paramLabel = "FILE", description = ["A mesh file: .msh, .vtu, .mesh, .ele."])
     lateinit var file: Path
 
     override fun call(): Int {

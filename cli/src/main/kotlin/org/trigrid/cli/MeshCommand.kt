@@ -1,12 +1,17 @@
 package org.trigrid.cli
 
 import org.trigrid.MeshOptions
+import org.trigrid.cli.batch.BatchFiles
+import org.trigrid.cli.batch.BatchLog
+import org.trigrid.cli.batch.BatchPlan
+import org.trigrid.cli.batch.BatchRun
 import org.trigrid.io.AtomicFile
-import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
+import org.trigrid.mesh.TriMesh
 import org.trigrid.picture.Pictures
 import org.trigrid.project.DomainInput
 import org.trigrid.project.DomainInputs
+import org.trigrid.project.InputOptions
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Model.CommandSpec
@@ -14,21 +19,23 @@ import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
 import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Spec
+import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.Callable
 
 /** Meshes a domain and writes the mesh, and a report and a picture where they are asked for. */
 @Command(
     name = "mesh",
-    description = ["Mesh a domain and write the mesh as a Gmsh .msh file."],
+    description = ["Mesh a domain and write the mesh; or with --out-dir those of many files."],
     mixinStandardHelpOptions = true,
     sortOptions = false,
     footer = [
         "",
         "Examples:",
         "  trigrid mesh plate.trigrid.json -o plate.msh --picture plate.svg",
-        "  trigrid mesh coast.geojson -o coast.msh --format 4.1 --sizes grade --report -",
-        "  trigrid mesh plate.wkt -o plate.msh --spacing 0.05 --max-size 0.2",
+        "  trigrid mesh coast.geojson -o coast.msh --format msh41 --sizes grade --report -",
+        "  trigrid mesh plate.wkt -o plate.vtu --spacing 0.05 --max-size 0.2",
+        "  trigrid mesh outlines 'more/*.dxf' --out-dir meshes --report meshes/report.jsonl --resume",
         "",
         "A file with several polygons makes as many meshes: OUT-1.msh, OUT-2.msh, ...",
     ],
@@ -37,14 +44,32 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
     @Spec
     lateinit var spec: CommandSpec
 
-    @Parameters(paramLabel = "IN", description = ["A project (.trigrid.json), GeoJSON, WKT or Triangle .poly file."])
-    lateinit var input: Path
+    @Parameters(
+        paramLabel = "IN", arity = "1..*",
+        description = [
+            "A project (.trigrid.json), GeoJSON, WKT, TopoJSON, SVG, DXF, Gmsh .geo, Triangle .poly or a table of points; with " +
+                "--out-dir any number of files, folders and patterns.",
+        ],
+    )
+    lateinit var inputs: List<String>
 
-    @Option(names = ["-o", "--output"], paramLabel = "OUT.msh", required = true, description = ["The mesh file to write."])
-    lateinit var output: Path
+    @Option(names = ["-o", "--output"], paramLabel = "OUT", description = ["The mesh file to write; its ending tells the format."])
+    var output: Path? = null
 
-    @Option(names = ["--format"], paramLabel = "2.2|4.1", description = ["Version of the .msh format, ASCII. Default: 2.2."])
-    var format: String = DEFAULT_FORMAT
+    @Option(
+        names = ["--format"], paramLabel = "NAME",
+        description = ["Another format than the ending tells; 'trigrid convert --list' names them. Default without one: msh22."],
+    )
+    var format: String? = null
+
+    @Option(names = ["--out-dir"], paramLabel = "DIR", description = ["Mesh many files, into this folder; go on when one fails."])
+    var outDir: Path? = null
+
+    @Option(names = ["--jobs"], paramLabel = "N", description = ["With --out-dir: meshes made at a time. Default: as many as processors."])
+    var jobs: Int? = null
+
+    @Option(names = ["--resume"], description = ["With --out-dir: leave meshes that are newer than their input, and add to the report."])
+    var resume: Boolean = false
 
     @Mixin
     lateinit var exploding: ExplodingArguments
@@ -52,7 +77,10 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
     @Mixin
     lateinit var meshing: MeshingArguments
 
-    @Option(names = ["--report"], paramLabel = "FILE", description = ["Write figures as JSON; - for standard output."])
+    @Option(
+        names = ["--report"], paramLabel = "FILE",
+        description = ["Write figures as JSON, with --out-dir one line a mesh; - for standard output."],
+    )
     var report: String? = null
 
     @Option(names = ["--picture"], paramLabel = "FILE", description = ["Draw the mesh; .svg or .png."])
@@ -60,19 +88,32 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
 
     override fun call(): Int {
         val inputOptions = exploding.toOptions(spec.commandLine())
-        checkArguments()
+        meshing.over(MeshOptions.DEFAULT, spec.commandLine())
+        outDir?.let { return meshMany(it, inputOptions) }
+        val target = output ?: usage("say where the mesh goes: --output OUT, or --out-dir DIR for many")
+        if (jobs != null || resume) usage("--jobs and --resume are for --out-dir")
+        val input = Path.of(inputs.singleOrNull() ?: usage("several files need --out-dir, not --output"))
+        val meshFormat = MeshOutput.format(format, target, spec.commandLine())
+        checkPlaces(target)
         val clock = RunClock()
-        val inputs = clock.reading { InputFailure.naming(input) { DomainInputs.read(input, inputOptions) } }
-        val figures = inputs.mapIndexed { i, domain -> mesh(domain, i, inputs.size, if (i == 0) clock else RunClock()) }
+        val domains = clock.reading { InputFailure.naming(input) { DomainInputs.read(input, inputOptions) } }
+        val figures = domains.mapIndexed { i, domain ->
+            val file = NumberedFiles.name(target, i, domains.size)
+            val drawn = picture?.let { NumberedFiles.name(it, i, domains.size) }
+            mesh(input, domain, if (i == 0) clock else RunClock()) { mesh ->
+                MeshFormats.write(mesh, file, meshFormat)
+                drawn?.let { PictureOutput.write(Pictures.mesh(mesh), it, PictureOutput.DEFAULT_PIXELS) }
+            }.also { if (report != STANDARD_OUTPUT) session.terminal.out.println("$file: ${it.summary()}") }
+        }
         writeReport(figures)
         return ExitCodes.DONE
     }
 
+    private fun usage(message: String): Nothing = throw ParameterException(spec.commandLine(), message)
+
     /** Finds out before the work starts what would only fail after it. */
-    private fun checkArguments() {
-        meshing.over(MeshOptions.DEFAULT, spec.commandLine())
-        meshFormat()
-        OutputPlace.check(output)
+    private fun checkPlaces(target: Path) {
+        OutputPlace.check(target)
         picture?.let {
             PictureOutput.checkName(it, spec.commandLine())
             OutputPlace.check(it)
@@ -80,22 +121,29 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
         report?.let { if (it != STANDARD_OUTPUT) OutputPlace.check(Path.of(it)) }
     }
 
-    private fun meshFormat(): MeshFormat = MeshFormat.ofVersion(format)
-        ?: throw ParameterException(spec.commandLine(), "--format must be 2.2 or 4.1, not $format")
+    private fun meshMany(folder: Path, inputOptions: InputOptions): Int {
+        if (output != null) usage("--output is for one file, --out-dir for many")
+        if (picture != null) usage("--picture is for one file; 'trigrid picture' draws the meshes afterwards")
+        val threads = jobs ?: Runtime.getRuntime().availableProcessors()
+        if (threads !in 1..MOST_JOBS) usage("--jobs must be from 1 to $MOST_JOBS, not $threads")
+        val meshFormat = MeshOutput.format(format, null, spec.commandLine())
+        val files = BatchFiles(folder, meshFormat.endings[0], spec.commandLine()).of(inputs)
+        Files.createDirectories(folder)
+        report?.let { if (it != STANDARD_OUTPUT) OutputPlace.check(Path.of(it)) }
+        val plan = BatchPlan(inputOptions, meshFormat, threads, resume) { meshing.over(it, spec.commandLine()) }
+        BatchLog.open(report, session.terminal.out, resume).use { log ->
+            val batch = BatchRun(session, plan, files, log)
+            val code = batch.run()
+            if (report != STANDARD_OUTPUT) session.terminal.out.println("$folder: ${batch.summary()}")
+            return code
+        }
+    }
 
-    private fun mesh(given: DomainInput, index: Int, count: Int, clock: RunClock): MeshFigures {
+    private fun mesh(input: Path, given: DomainInput, clock: RunClock, write: (TriMesh) -> Unit): MeshFigures {
         val options = meshing.over(given.options, spec.commandLine())
         val result = DomainMesher(session, input).mesh(given.domain, options)
-        val file = NumberedFiles.name(output, index, count)
-        clock.writing {
-            MeshFormats.write(result.mesh, file, meshFormat())
-            picture?.let {
-                PictureOutput.write(Pictures.mesh(result.mesh), NumberedFiles.name(it, index, count), PictureOutput.DEFAULT_PIXELS)
-            }
-        }
-        val figures = MeshFigures(given.name, result.report, clock)
-        if (report != STANDARD_OUTPUT) session.terminal.out.println("$file: ${figures.summary()}")
-        return figures
+        clock.writing { write(result.mesh) }
+        return MeshFigures(given.name, result.report, clock)
     }
 
     private fun writeReport(figures: List<MeshFigures>) {
@@ -107,6 +155,6 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
 
     private companion object {
         const val STANDARD_OUTPUT = "-"
-        const val DEFAULT_FORMAT = "2.2"
+        const val MOST_JOBS = 1024
     }
 }

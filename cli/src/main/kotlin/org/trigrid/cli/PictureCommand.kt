@@ -35,7 +35,7 @@ internal class PictureCommand(private val session: Session) : Callable<Int> {
     @Spec
     lateinit var spec: CommandSpec
 
-    @Parameters(paramLabel = "IN", description = ["A project, GeoJSON, WKT or .poly file, which is meshed first, or a .msh file."])
+    @Parameters(paramLabel = "IN", description = ["A file with a domain, which is meshed first, or a mesh file."])
     lateinit var input: Path
 
     @Option(names = ["-o", "--output"], paramLabel = "FILE", required = true, description = ["The picture: .svg or .png."])

@@ -11,6 +11,7 @@ import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonObject
 import org.trigrid.diagnostics.Stage
 import org.trigrid.quality.QualityReport
+import java.nio.file.Path
 
 /** The report of `trigrid mesh`; its keys are documented in `docs/cli.md`. */
 internal object ReportJson {
@@ -21,6 +22,21 @@ internal object ReportJson {
         val root = figures.singleOrNull()?.let { of(it) } ?: JsonArray(figures.map { of(it) })
         return json.encodeToString(JsonElement.serializer(), root) + "\n"
     }
+
+    /** One object on one line, for a mesh of a batch. */
+    fun line(input: Path, output: Path, figures: MeshFigures): String = JsonObject(
+        mapOf("file" to JsonPrimitive(input.toString()), "status" to JsonPrimitive("done"), "output" to JsonPrimitive(output.toString())) +
+            of(figures),
+    ).toString()
+
+    /** One object on one line, for a file or a domain of a batch that has no mesh. */
+    fun failure(input: Path, name: String?, code: Int, error: String): String = buildJsonObject {
+        put("file", input.toString())
+        put("status", "failed")
+        if (name != null) put("name", name)
+        put("code", code)
+        put("error", error)
+    }.toString()
 
     private fun of(figures: MeshFigures): JsonObject = buildJsonObject {
         val report = figures.report

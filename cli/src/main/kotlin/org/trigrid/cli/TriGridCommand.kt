@@ -20,6 +20,7 @@ import picocli.CommandLine.Spec
         "Examples:",
         "  trigrid mesh plate.trigrid.json -o plate.msh --picture plate.svg",
         "  trigrid check coast.geojson",
+        "  trigrid convert plate.msh plate.vtu",
         "  trigrid COMMAND --help",
         "",
         "Exit codes: 0 done, 2 usage, 3 invalid domain, 4 file trouble, 130 cancelled.",
@@ -30,7 +31,8 @@ internal class TriGridCommand(private val session: Session) : Runnable {
     lateinit var spec: CommandSpec
 
     override fun run() {
-        throw ParameterException(spec.commandLine(), "say what to do: mesh, check, info, picture or edit")
+        val message = "say what to do: mesh, check, info, picture, convert, renumber, improve, refine or edit"
+        throw ParameterException(spec.commandLine(), message)
     }
 
     /** The version of the jar that runs. */

@@ -12,13 +12,17 @@ class UsageTest {
         val outcome = Outcome.of("--help")
         assertEquals(ExitCodes.DONE, outcome.code)
         assertEquals("", outcome.err)
-        for (word in listOf("mesh", "check", "info", "picture", "bench", "edit", "Examples:", "Exit codes:")) {
+        for (word in listOf("mesh", "check", "info", "picture", "convert", "renumber", "improve", "refine", "bench", "edit", "completion", "man", "Examples:", "Exit codes:")) {
             assertTrue(word in outcome.out, "$word in ${outcome.out}")
         }
     }
 
     @ParameterizedTest
-    @ValueSource(strings = ["mesh", "check", "info", "picture", "bench", "edit"])
+    @ValueSource(
+        strings = [
+            "mesh", "check", "info", "picture", "convert", "renumber", "improve", "refine", "bench", "edit", "completion", "man",
+        ],
+    )
     fun `each command has help with an example`(command: String) {
         val outcome = Outcome.of(command, "--help")
         assertEquals(ExitCodes.DONE, outcome.code)
@@ -31,7 +35,8 @@ class UsageTest {
         val help = Outcome.of("mesh", "--help").out
         val options = listOf(
             "--output", "--format", "--spacing", "--ratio", "--keep-connectors", "--sizes", "--gradation", "--min-size",
-            "--max-size", "--strategy", "--max-elements", "--no-improve", "--no-renumber", "--report", "--picture",
+            "--max-size", "--strategy", "--max-elements", "--no-improve", "--no-renumber", "--report", "--picture", "--join", "--unit",
+            "--out-dir", "--jobs", "--resume",
         )
         for (option in options) assertTrue(option in help, option)
     }
@@ -42,7 +47,7 @@ class UsageTest {
         assertEquals(ExitCodes.USAGE, outcome.code)
         assertEquals("", outcome.out)
         assertEquals(
-            listOf("trigrid: say what to do: mesh, check, info, picture or edit", "Try 'trigrid --help'."),
+            listOf("trigrid: say what to do: mesh, check, info, picture, convert, renumber, improve, refine or edit", "Try 'trigrid --help'."),
             outcome.errorLines,
         )
     }
@@ -66,7 +71,7 @@ class UsageTest {
     @ValueSource(
         strings = [
             "--spacing=0", "--spacing=NaN", "--spacing=x", "--ratio=2", "--gradation=-1", "--min-size=-1", "--max-size=0",
-            "--strategy=best", "--sizes=none", "--format=3.0", "--picture=mesh.gif",
+            "--strategy=best", "--sizes=none", "--format=3.0", "--picture=mesh.gif", "--unit=ell", "--join=-1",
         ],
     )
     fun `values out of range are usage errors before anything is written`(option: String) {

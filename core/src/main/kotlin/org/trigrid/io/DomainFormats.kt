@@ -7,15 +7,33 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Reads domains whose points are the boundary nodes: GeoJSON, WKT and Triangle's .poly.
+ * Domains to and from files.
  *
- * The reader is chosen by the file's extension (.geojson, .json, .wkt, .poly), else by how its text begins. Every number
- * becomes the double nearest to its decimals; a ring's last point is dropped if it repeats the first, and nothing else is
- * changed: a faulty domain is read as it is, for `DomainCheck` to tell.
+ * The format is chosen by the ending of the file's name, else by how its text begins. Every number becomes the double
+ * nearest to its decimals; a ring's last point is dropped if it repeats the first, and nothing else is changed: a faulty
+ * domain is read as it is, for `DomainCheck` to tell.
  */
 public object DomainFormats {
+    private val ALL: List<DomainFormat> = java.util.List.of(
+        DomainFormat.GEOJSON, DomainFormat.WKT, DomainFormat.POLY, DomainFormat.TOPOJSON, DomainFormat.SVG, DomainFormat.DXF,
+        DomainFormat.GEO, DomainFormat.POINTS,
+    )
+
+    /** All formats; of those that share an ending, the usual one first. */
+    @JvmStatic
+    public fun all(): List<DomainFormat> = ALL
+
+    /** The format of a short name, such as `geojson`, in any case; null if there is none. */
+    @JvmStatic
+    public fun named(name: String): DomainFormat? = ALL.firstOrNull { it.name.equals(name, ignoreCase = true) }
+
+    /** The format of a file of this name, by its ending; null if that says nothing. */
+    @JvmStatic
+    public fun forFile(file: Path): DomainFormat? = ALL.firstOrNull { it.fits(file) }
+
     /**
-     * All domains of a file, in its order; at least one.
+     * All domains of a file, in its order; at least one. The points of polygons are the boundary nodes; curves are divided
+     * so that no part bends by more than ten degrees.
      *
      * @throws FileFormatException if the text is none of the formats, or breaks the rules of its own; with line and column
      *   as far as they are known.
@@ -23,47 +41,58 @@ public object DomainFormats {
      */
     @JvmStatic
     @Throws(IOException::class)
-    public fun read(file: Path): List<NamedDomain> {
-        val text = textOf(file)
-        return when (formatOf(file, text)) {
-            Format.GEOJSON -> GeoJsonReader.read(text, file.toString(), baseName(file))
-            Format.WKT -> WktReader.read(text, file.toString(), baseName(file))
-            Format.POLY -> PolyReader.read(file, text)
-            null -> throw FileFormatException(file.toString(), 0, 0, "neither GeoJSON nor WKT nor a .poly file")
+    public fun read(file: Path): List<NamedDomain> = read(file, CurveDivision.DEFAULT)
+
+    /**
+     * As the other, with lines and curves divided as [division] says.
+     *
+     * @throws org.trigrid.diagnostics.InvalidShapeException if something cannot be divided like that.
+     */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun read(file: Path, division: CurveDivision): List<NamedDomain> {
+        val named = forFile(file)
+        val text = textOf(file, named?.isOfAnyCharset == true)
+        val format = named ?: formatOf(text)
+            ?: throw FileFormatException(file.toString(), 0, 0, "this is none of the formats that are known")
+        val domains = format.read(DomainText(file, text, division))
+        if (format.hasCurves || !division.hasSpacing()) return domains
+        return domains.map { NamedDomain(it.name, it.domain.respaced(division.spacing, division.ratio)) }
+    }
+
+    /**
+     * Writes domains to one file; it is written beside its place and moved over it.
+     *
+     * @throws IllegalArgumentException if the format cannot be written, or cannot hold these domains.
+     */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun write(domains: List<NamedDomain>, file: Path, format: DomainFormat) {
+        AtomicFile.write(file) { out ->
+            val text = TextBuffer(out)
+            format.write(domains, text)
+            text.flush()
         }
     }
 
     /** UTF-8, without the byte order mark that some editors put first. */
     @Throws(IOException::class)
-    internal fun textOf(file: Path): String = try {
+    internal fun textOf(file: Path): String = textOf(file, false)
+
+    @Throws(IOException::class)
+    private fun textOf(file: Path, isOfAnyCharset: Boolean): String = try {
         ReadingMemory.check(file, ReadingMemory.TEXT)
         Files.readString(file).removePrefix("\uFEFF")
     } catch (e: CharacterCodingException) {
-        throw FileFormatException(file.toString(), 0, 0, "not a text file in UTF-8", e)
+        if (isOfAnyCharset) Files.readString(file, Charsets.ISO_8859_1)
+        else throw FileFormatException(file.toString(), 0, 0, "not a text file in UTF-8", e)
     }
 
     /** The file's name up to its first dot. */
     internal fun baseName(file: Path): String = file.fileName.toString().substringBefore('.').ifEmpty { "domain" }
 
-    private enum class Format { GEOJSON, WKT, POLY }
-
-    private fun formatOf(file: Path, text: String): Format? {
-        val extension = file.fileName.toString().substringAfterLast('.', "").lowercase()
-        return when (extension) {
-            "geojson", "json" -> Format.GEOJSON
-            "wkt" -> Format.WKT
-            "poly" -> Format.POLY
-            else -> formatOf(text)
-        }
-    }
-
-    private fun formatOf(text: String): Format? {
+    private fun formatOf(text: String): DomainFormat? {
         val line = text.lineSequence().map { it.trim() }.firstOrNull { it.isNotEmpty() && !it.startsWith("#") } ?: return null
-        return when {
-            line.startsWith("{") -> Format.GEOJSON
-            line[0].isLetter() -> Format.WKT
-            line[0].isDigit() -> Format.POLY
-            else -> null
-        }
+        return ALL.firstOrNull { it.looksLike(line) }
     }
 }

@@ -22,6 +22,7 @@ internal class GeoJsonReader private constructor(
     private fun read(): List<NamedDomain> {
         val root = JsonPath.ROOT
         val tree = objectOf(document.root, root)
+        if ((tree["type"] as? JsonPrimitive)?.content == "Topology") return TopoJsonReader(document, baseName).read()
         if ("loops" in tree) readLoops(tree, root) else readAny(tree, root, baseName)
         if (domains.isEmpty()) fail(root, "there is no polygon in it")
         return domains

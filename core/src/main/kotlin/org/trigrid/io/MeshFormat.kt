@@ -1,20 +1,82 @@
 package org.trigrid.io
 
-/** Mesh file formats that can be written. */
-public enum class MeshFormat(
-    /** The version as users write it. */
-    @get:JvmName("version") public val version: String,
-) {
-    /** Gmsh MSH 2.2, ASCII; read by nearly every solver. */
-    MSH_22("2.2"),
+import org.trigrid.mesh.TriMesh
+import java.io.IOException
+import java.io.OutputStream
+import java.nio.file.Path
 
-    /** Gmsh MSH 4.1, ASCII. */
-    MSH_41("4.1"),
-    ;
+/** A format of mesh files. */
+public abstract class MeshFormat internal constructor(
+    name: String,
+    title: String,
+    endings: List<String>,
+    canRead: Boolean,
+    canWrite: Boolean = true,
+    /** Whether a mesh is one file; else several that differ by their endings. */
+    @get:JvmName("isSingleFile") public val isSingleFile: Boolean = true,
+) : FileFormat(name, title, endings, canRead, canWrite) {
+    /** The files that a mesh written to [file] is in. */
+    public open fun filesOf(file: Path): List<Path> = listOf(file)
+
+    /** Writes the one file of a mesh. */
+    @Throws(IOException::class)
+    internal open fun write(mesh: TriMesh, out: OutputStream): Unit = throw IllegalArgumentException("$name is several files")
+
+    /** Writes all files of a mesh. */
+    @Throws(IOException::class)
+    internal open fun writeFiles(mesh: TriMesh, file: Path): Unit = AtomicFile.write(file) { write(mesh, it) }
+
+    /** @throws org.trigrid.diagnostics.FileFormatException with the place of what is wrong. */
+    @Throws(IOException::class)
+    internal open fun read(file: Path): TriMesh = throw IllegalArgumentException("$name cannot be read")
 
     public companion object {
-        /** The format with this [version], such as `2.2`; null if there is none. */
-        @JvmStatic
-        public fun ofVersion(version: String): MeshFormat? = entries.firstOrNull { it.version == version }
+        /** Gmsh MSH 2.2, ASCII; read by nearly every solver. */
+        @JvmField
+        public val MSH_22: MeshFormat = MshFormat("msh22", "Gmsh MSH 2.2, ASCII", MshWriter.VERSION_22)
+
+        /** Gmsh MSH 4.1, ASCII. */
+        @JvmField
+        public val MSH_41: MeshFormat = MshFormat("msh41", "Gmsh MSH 4.1, ASCII", MshWriter.VERSION_41)
+
+        /** Gmsh MSH 2.2, binary, little-endian. */
+        @JvmField
+        public val MSH_22_BINARY: MeshFormat = MshFormat("msh22-binary", "Gmsh MSH 2.2, binary", MshWriter.BINARY_22)
+
+        /** Gmsh MSH 4.1, binary, little-endian. */
+        @JvmField
+        public val MSH_41_BINARY: MeshFormat = MshFormat("msh41-binary", "Gmsh MSH 4.1, binary", MshWriter.BINARY_41)
+
+        /** VTK's XML unstructured grid, for ParaView. */
+        @JvmField
+        public val VTU: MeshFormat = VtuFormat()
+
+        /** Triangle's files `.node`, `.ele`, `.edge` and `.poly`. */
+        @JvmField
+        public val TRIANGLE: MeshFormat = TriangleFormat()
+
+        /** Medit's `.mesh`, ASCII; also read by mmg and FreeFem. */
+        @JvmField
+        public val MEDIT: MeshFormat = MeditFormat()
+
+        /** Input files of Abaqus and CalculiX. */
+        @JvmField
+        public val ABAQUS: MeshFormat = AbaqusFormat()
+
+        /** SU2's native format. */
+        @JvmField
+        public val SU2: MeshFormat = Su2Format()
+
+        /** Nastran bulk data with large fields for coordinates. */
+        @JvmField
+        public val NASTRAN: MeshFormat = NastranFormat()
+
+        /** Three tables: `.nodes.csv`, `.elements.csv`, `.edges.csv`. */
+        @JvmField
+        public val CSV: MeshFormat = MeshCsvFormat()
+
+        /** Arrays of nodes, elements and edges in JSON. */
+        @JvmField
+        public val JSON: MeshFormat = MeshJsonFormat()
     }
 }

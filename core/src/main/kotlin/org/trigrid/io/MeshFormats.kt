@@ -4,44 +4,72 @@ import org.trigrid.diagnostics.FileFormatException
 import org.trigrid.mesh.TriMesh
 import java.io.IOException
 import java.io.OutputStream
-import java.nio.file.Files
 import java.nio.file.Path
 
 /** Meshes to and from files. Bytes depend on the mesh alone: not on the platform, its language or its Java version. */
 public object MeshFormats {
-    /** Writes [mesh] to [path] as MSH 2.2; the file is written beside its place and moved over it. */
-    @JvmStatic
-    @Throws(IOException::class)
-    public fun write(mesh: TriMesh, path: Path): Unit = write(mesh, path, MeshFormat.MSH_22)
+    private val ALL: List<MeshFormat> = java.util.List.of(
+        MeshFormat.MSH_22, MeshFormat.MSH_41, MeshFormat.MSH_22_BINARY, MeshFormat.MSH_41_BINARY, MeshFormat.VTU,
+        MeshFormat.TRIANGLE, MeshFormat.MEDIT, MeshFormat.ABAQUS, MeshFormat.SU2, MeshFormat.NASTRAN, MeshFormat.CSV,
+        MeshFormat.JSON,
+    )
 
-    /** Writes [mesh] to [path]; the file is written beside its place and moved over it. */
+    /** All formats; of those that share an ending, the usual one first. */
     @JvmStatic
-    @Throws(IOException::class)
-    public fun write(mesh: TriMesh, path: Path, format: MeshFormat): Unit =
-        AtomicFile.write(path) { write(mesh, it, format) }
+    public fun all(): List<MeshFormat> = ALL
 
-    /** Writes [mesh] to a stream, which stays open. */
+    /** The format of a short name, such as `msh41`, in any case; null if there is none. `2.2` and `4.1` are the ASCII ones of Gmsh. */
     @JvmStatic
-    @Throws(IOException::class)
-    public fun write(mesh: TriMesh, out: OutputStream, format: MeshFormat) {
-        val text = TextBuffer(out)
-        when (format) {
-            MeshFormat.MSH_22 -> Msh22Writer.write(mesh, text)
-            MeshFormat.MSH_41 -> Msh41Writer.write(mesh, text)
-        }
-        text.flush()
+    public fun named(name: String): MeshFormat? = when (name) {
+        "2.2" -> MeshFormat.MSH_22
+        "4.1" -> MeshFormat.MSH_41
+        else -> ALL.firstOrNull { it.name.equals(name, ignoreCase = true) }
     }
 
+    /** The format in which a mesh is written to a file of this name, by its ending; null if the ending says nothing. */
+    @JvmStatic
+    public fun forWriting(file: Path): MeshFormat? = ALL.firstOrNull { it.canWrite && it.fits(file) }
+
+    /** The format in which a mesh is read from a file of this name, by its ending; null if it is no mesh file that can be read. */
+    @JvmStatic
+    public fun forReading(file: Path): MeshFormat? = ALL.firstOrNull { it.canRead && it.fits(file) && !isDomainOfTriangle(it, file) }
+
+    /** Triangle's `.poly` holds what is to be meshed; its meshes are read by their `.ele` or `.node`. */
+    private fun isDomainOfTriangle(format: MeshFormat, file: Path) = format === MeshFormat.TRIANGLE && format.endingOf(file) == ".poly"
+
     /**
-     * Reads a mesh of triangles from a Gmsh file, MSH 2.2 or 4.1, ASCII. Nodes keep the order of the file; nodes of no
-     * triangle are left out, clockwise triangles are turned. Lines give their physical groups to the edges.
+     * Writes [mesh] to [path] in the format of its ending, MSH 2.2 if that says nothing; a file is written beside its
+     * place and moved over it.
+     */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun write(mesh: TriMesh, path: Path): Unit = write(mesh, path, forWriting(path) ?: MeshFormat.MSH_22)
+
+    /**
+     * Writes [mesh] to [path]; a file is written beside its place and moved over it. A format of several files puts them
+     * all beside [path], each with its own ending.
+     */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun write(mesh: TriMesh, path: Path, format: MeshFormat): Unit = format.writeFiles(mesh, path)
+
+    /**
+     * Writes [mesh] to a stream, which stays open.
+     *
+     * @throws IllegalArgumentException if the format is several files.
+     */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun write(mesh: TriMesh, out: OutputStream, format: MeshFormat): Unit = format.write(mesh, out)
+
+    /**
+     * Reads a mesh of triangles: Gmsh's MSH 2.2 and 4.1, ASCII or binary; VTU; Medit; Triangle's, by its `.ele` or
+     * `.node`. The ending tells which, MSH if it says nothing. Nodes keep the order of the file; nodes of no triangle are
+     * left out, clockwise triangles are turned. Lines give their groups to the edges.
      *
      * @throws FileFormatException if the file is no such mesh; it says where.
      */
     @JvmStatic
     @Throws(IOException::class)
-    public fun read(path: Path): TriMesh {
-        ReadingMemory.check(path, ReadingMemory.MSH)
-        return MshReader.read(Files.readAllBytes(path), path.toString())
-    }
+    public fun read(path: Path): TriMesh = (forReading(path) ?: MeshFormat.MSH_22).read(path)
 }

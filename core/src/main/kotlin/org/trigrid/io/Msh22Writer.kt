@@ -8,7 +8,7 @@ import org.trigrid.mesh.TriMesh
  */
 internal object Msh22Writer {
     fun write(mesh: TriMesh, text: TextBuffer) {
-        val groups = MshGroups(mesh)
+        val groups = MeshGroups(mesh)
         text.line("\$MeshFormat").line("2.2 0 8").line("\$EndMeshFormat")
         writeNames(groups, text)
         text.line("\$Nodes").number(mesh.nodeCount).line()
@@ -23,29 +23,29 @@ internal object Msh22Writer {
     }
 
     /** The same section in both versions. */
-    fun writeNames(groups: MshGroups, text: TextBuffer) {
+    fun writeNames(groups: MeshGroups, text: TextBuffer) {
         text.line("\$PhysicalNames").number(groups.curveCount + 1).line()
         for (i in 0 until groups.curveCount) {
             text.text("1 ").number(i + 1).text(" \"").text(groups.curveNames[i]).text("\"\n")
         }
-        text.text("2 ").number(groups.surfaceId).text(" \"").text(groups.surfaceName).text("\"\n")
+        text.text("2 ").number(groups.regionId).text(" \"").text(groups.regionName).text("\"\n")
         text.line("\$EndPhysicalNames")
     }
 
-    private fun writeLines(mesh: TriMesh, groups: MshGroups, text: TextBuffer) {
+    private fun writeLines(mesh: TriMesh, groups: MeshGroups, text: TextBuffer) {
         var id = 1
         for (i in 0 until groups.curveCount) {
-            for (edge in 0 until mesh.taggedEdgeCount) {
-                if (mesh.edgeTag(edge) != groups.curveTags[i]) continue
+            for (k in 0 until groups.size(i)) {
+                val edge = groups.edge(i, k)
                 text.number(id++).text(" 1 2 ").number(i + 1).space().number(i + 1)
                 text.space().number(mesh.edgeStart(edge) + 1).space().number(mesh.edgeEnd(edge) + 1).line()
             }
         }
     }
 
-    private fun writeTriangles(mesh: TriMesh, groups: MshGroups, text: TextBuffer) {
+    private fun writeTriangles(mesh: TriMesh, groups: MeshGroups, text: TextBuffer) {
         val first = mesh.taggedEdgeCount + 1
-        val middle = " 2 2 ${groups.surfaceId} 1 "
+        val middle = " 2 2 ${groups.regionId} 1 "
         for (element in 0 until mesh.elementCount) {
             text.number(first + element).text(middle)
             text.number(mesh.nodeOf(element, 0) + 1).space()

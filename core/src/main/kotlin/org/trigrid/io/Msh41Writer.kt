@@ -8,7 +8,7 @@ import org.trigrid.mesh.TriMesh
  */
 internal object Msh41Writer {
     fun write(mesh: TriMesh, text: TextBuffer) {
-        val groups = MshGroups(mesh)
+        val groups = MeshGroups(mesh)
         text.line("\$MeshFormat").line("4.1 0 8").line("\$EndMeshFormat")
         Msh22Writer.writeNames(groups, text)
         writeEntities(mesh, groups, text)
@@ -16,29 +16,30 @@ internal object Msh41Writer {
         writeElements(mesh, groups, text)
     }
 
-    private fun writeEntities(mesh: TriMesh, groups: MshGroups, text: TextBuffer) {
+    private fun writeEntities(mesh: TriMesh, groups: MeshGroups, text: TextBuffer) {
         text.line("\$Entities").text("0 ").number(groups.curveCount).line(" 1 0")
-        val onBoundary = BooleanArray(mesh.tags.size)
-        for (edge in 0 until mesh.boundaryEdgeCount) onBoundary[mesh.edgeTag(edge)] = true
         for (i in 0 until groups.curveCount) {
-            val box = Box()
-            for (edge in 0 until mesh.taggedEdgeCount) {
-                if (mesh.edgeTag(edge) != groups.curveTags[i]) continue
-                box.add(mesh, mesh.edgeStart(edge))
-                box.add(mesh, mesh.edgeEnd(edge))
-            }
             text.number(i + 1).space()
-            box.write(text)
+            writeBox(MeshBox.ofCurve(mesh, groups, i), text)
             text.text(" 1 ").number(i + 1).line(" 0")
         }
-        val whole = Box()
-        for (node in 0 until mesh.nodeCount) whole.add(mesh, node)
         text.text("1 ")
-        whole.write(text)
-        val bounding = (0 until groups.curveCount).filter { onBoundary[groups.curveTags[it]] }
-        text.text(" 1 ").number(groups.surfaceId).space().number(bounding.size)
+        writeBox(MeshBox.of(mesh), text)
+        val bounding = boundingCurves(mesh, groups)
+        text.text(" 1 ").number(groups.regionId).space().number(bounding.size)
         for (i in bounding) text.space().number(i + 1)
         text.line().line("\$EndEntities")
+    }
+
+    /** Curve groups with an edge on the boundary. */
+    fun boundingCurves(mesh: TriMesh, groups: MeshGroups): IntArray {
+        val onBoundary = BooleanArray(mesh.tags.size)
+        for (edge in 0 until mesh.boundaryEdgeCount) onBoundary[mesh.edgeTag(edge)] = true
+        return (0 until groups.curveCount).filter { onBoundary[groups.curveTags[it]] }.toIntArray()
+    }
+
+    private fun writeBox(box: MeshBox, text: TextBuffer) {
+        text.number(box.minX).space().number(box.minY).text(" 0 ").number(box.maxX).space().number(box.maxY).text(" 0")
     }
 
     private fun writeNodes(mesh: TriMesh, text: TextBuffer) {
@@ -51,15 +52,15 @@ internal object Msh41Writer {
         text.line("\$EndNodes")
     }
 
-    private fun writeElements(mesh: TriMesh, groups: MshGroups, text: TextBuffer) {
+    private fun writeElements(mesh: TriMesh, groups: MeshGroups, text: TextBuffer) {
         val count = mesh.taggedEdgeCount + mesh.elementCount
         text.line("\$Elements")
         text.number(groups.curveCount + 1).space().number(count).text(if (count > 0) " 1 " else " 0 ").number(count).line()
         var id = 1
         for (i in 0 until groups.curveCount) {
-            text.text("1 ").number(i + 1).text(" 1 ").number(groups.curveSizes[i]).line()
-            for (edge in 0 until mesh.taggedEdgeCount) {
-                if (mesh.edgeTag(edge) != groups.curveTags[i]) continue
+            text.text("1 ").number(i + 1).text(" 1 ").number(groups.size(i)).line()
+            for (k in 0 until groups.size(i)) {
+                val edge = groups.edge(i, k)
                 text.number(id++).space().number(mesh.edgeStart(edge) + 1).space().number(mesh.edgeEnd(edge) + 1).line()
             }
         }
@@ -69,28 +70,5 @@ internal object Msh41Writer {
             text.number(mesh.nodeOf(element, 1) + 1).space().number(mesh.nodeOf(element, 2) + 1).line()
         }
         text.line("\$EndElements")
-    }
-
-    /** The box round some nodes. */
-    private class Box {
-        private var minX = Double.POSITIVE_INFINITY
-        private var minY = Double.POSITIVE_INFINITY
-        private var maxX = Double.NEGATIVE_INFINITY
-        private var maxY = Double.NEGATIVE_INFINITY
-
-        fun add(mesh: TriMesh, node: Int) {
-            minX = minOf(minX, mesh.x(node))
-            minY = minOf(minY, mesh.y(node))
-            maxX = maxOf(maxX, mesh.x(node))
-            maxY = maxOf(maxY, mesh.y(node))
-        }
-
-        fun write(text: TextBuffer) {
-            if (minX > maxX) {
-                text.text("0 0 0 0 0 0")
-                return
-            }
-            text.number(minX).space().number(minY).text(" 0 ").number(maxX).space().number(maxY).text(" 0")
-        }
     }
 }

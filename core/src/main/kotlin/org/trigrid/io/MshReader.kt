@@ -2,10 +2,11 @@ package org.trigrid.io
 
 import org.trigrid.mesh.TriMesh
 
-/** Gmsh's ASCII mesh files, versions 2.0 to 2.2 and 4.1. */
+/** Gmsh's mesh files, versions 2.0 to 2.2 and 4.1, ASCII and binary. */
 internal class MshReader private constructor(private val scanner: MshScanner) {
-    private val contents = MshContents(scanner)
+    private val contents = MeshContents(scanner)
     private var is4 = false
+    private var isBinary = false
 
     /** Physical group of entities by dimension and tag; MSH 4.1 only. */
     private val entityGroups = HashMap<Long, Int>()
@@ -18,15 +19,15 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
         while (!scanner.atEnd()) {
             when (val section = scanner.word("a section")) {
                 "\$PhysicalNames" -> readNames()
-                "\$Entities" -> if (is4) readEntities() else scanner.skipTo("\$EndEntities")
+                "\$Entities" -> if (is4) inBinary { readEntities() } else scanner.skipTo("\$EndEntities")
                 "\$Nodes" -> {
                     if (nodesSeen) scanner.fail("a second section of nodes")
                     nodesSeen = true
-                    if (is4) readNodes4() else readNodes2()
+                    if (is4) inBinary { readNodes4() } else readNodes2()
                 }
                 "\$Elements" -> {
                     if (!nodesSeen) scanner.fail("elements before the nodes")
-                    if (is4) readElements4() else readElements2()
+                    if (is4) inBinary { readElements4() } else readElements2()
                 }
                 "\$PartitionedEntities" -> scanner.fail("partitioned meshes cannot be read")
                 else -> {
@@ -45,9 +46,21 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
             scanner.fail("MSH version $version cannot be read, only 2.2 and 4.1")
         }
         val fileType = scanner.int("the file type", 0)
-        if (fileType != 0) scanner.fail("binary MSH files cannot be read, only ASCII ones (file type 0)")
-        scanner.int("the size of a number", 1)
+        if (fileType > 1) scanner.fail("the file type must be 0 (ASCII) or 1 (binary), not $fileType")
+        isBinary = fileType == 1
+        val numberSize = scanner.int("the size of a number", 1)
+        if (isBinary) {
+            if (numberSize != Double.SIZE_BYTES) scanner.fail("binary files with numbers of $numberSize bytes cannot be read, only of 8")
+            scanner.readByteOrder()
+        }
         scanner.expect("\$EndMeshFormat")
+    }
+
+    /** Reads numbers that in a binary file begin after the end of this line; counts have 8 bytes in MSH 4.1. */
+    private inline fun inBinary(read: () -> Unit) {
+        if (isBinary) scanner.startBinary(if (is4) Long.SIZE_BYTES else Int.SIZE_BYTES)
+        read()
+        scanner.endBinary()
     }
 
     private fun readNames() {
@@ -64,9 +77,11 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
     private fun readNodes2() {
         val count = scanner.count("the number of nodes")
         contents.expectNodes(count)
-        repeat(count) {
-            val node = contents.addNode(scanner.int("a node id", 1))
-            readPlace(node)
+        inBinary {
+            repeat(count) {
+                val node = contents.addNode(scanner.int("a node id", 1))
+                readPlace(node)
+            }
         }
         contents.closeNodes()
         scanner.expect("\$EndNodes")
@@ -79,68 +94,111 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
     }
 
     private fun readElements2() {
-        repeat(scanner.int("the number of elements", 0)) {
-            scanner.int("an element id", 1)
-            val type = scanner.int("an element type", 1)
-            val tagCount = scanner.int("the number of tags", 0)
-            var group = 0
-            for (i in 0 until tagCount) {
-                val tag = scanner.int("a tag", Int.MIN_VALUE)
-                if (i == 0) group = Math.abs(tag)
-            }
-            contents.readElement(type, group)
-        }
+        val count = scanner.int("the number of elements", 0)
+        inBinary { if (isBinary) readBlocks2(count) else repeat(count) { readElement2() } }
         scanner.expect("\$EndElements")
     }
 
+    private fun readElement2() {
+        scanner.int("an element id", 1)
+        val type = scanner.int("an element type", 1)
+        readNodesOf(type, readGroup2(scanner.int("the number of tags", 0)))
+    }
+
+    /** In a binary file elements of one kind and number of tags come in blocks. */
+    private fun readBlocks2(count: Int) {
+        var left = count
+        while (left > 0) {
+            val type = scanner.int("an element type", 1)
+            val size = scanner.int("the number of elements of the block", 1)
+            val tags = scanner.int("the number of tags", 0)
+            if (size > left) scanner.fail("a block of $size elements where $left are left")
+            repeat(size) {
+                scanner.int("an element id", 1)
+                readNodesOf(type, readGroup2(tags))
+            }
+            left -= size
+        }
+    }
+
+    private fun readGroup2(tagCount: Int): Int {
+        var group = 0
+        for (i in 0 until tagCount) {
+            val tag = scanner.int("a tag", Int.MIN_VALUE)
+            if (i == 0) group = Math.abs(tag)
+        }
+        return group
+    }
+
+    private fun readNodesOf(type: Int, group: Int) {
+        when (type) {
+            MeshContents.LINE -> {
+                val a = readNode()
+                contents.addLine(a, readNode(), group)
+            }
+            MeshContents.TRIANGLE -> {
+                val a = readNode()
+                val b = readNode()
+                contents.addTriangle(a, b, readNode(), group)
+            }
+            MeshContents.POINT -> readNode()
+            else -> scanner.fail("elements of type $type cannot be read, only points (15), lines (1) and triangles (2)")
+        }
+    }
+
+    private fun readNode(): Int = contents.nodeOf(scanner.size("a node id", 1))
+
     private fun readEntities() {
-        val counts = IntArray(4) { scanner.int("a number of entities", 0) }
+        val counts = IntArray(4) { scanner.size("a number of entities", 0) }
         for (dimension in 0..3) repeat(counts[dimension]) { readEntity(dimension) }
+        scanner.endBinary()
         scanner.expect("\$EndEntities")
     }
 
     private fun readEntity(dimension: Int) {
         val tag = scanner.int("an entity", Int.MIN_VALUE)
         repeat(if (dimension == 0) 3 else 6) { scanner.double("a coordinate of an entity") }
-        repeat(scanner.int("the number of physical groups", 0)) { i ->
+        repeat(scanner.size("the number of physical groups", 0)) { i ->
             val group = Math.abs(scanner.int("a physical group", Int.MIN_VALUE))
             if (i == 0) entityGroups[key(dimension, tag)] = group
         }
-        if (dimension > 0) repeat(scanner.int("the number of bounding entities", 0)) { scanner.int("a bounding entity", Int.MIN_VALUE) }
+        if (dimension > 0) repeat(scanner.size("the number of bounding entities", 0)) { scanner.int("a bounding entity", Int.MIN_VALUE) }
     }
 
     private fun readNodes4() {
-        val blocks = scanner.int("the number of node blocks", 0)
+        val blocks = scanner.size("the number of node blocks", 0)
         contents.expectNodes(scanner.count("the number of nodes"))
-        repeat(2) { scanner.int("a node id", 0) }
+        repeat(2) { scanner.size("a node id", 0) }
         repeat(blocks) {
             val dimension = scanner.int("a dimension", 0)
             scanner.int("an entity", Int.MIN_VALUE)
             val parameters = if (scanner.int("the parametric flag", 0) == 0) 0 else dimension
             val count = scanner.count("the number of nodes of the block")
-            val nodes = IntArray(count) { contents.addNode(scanner.int("a node id", 1)) }
+            val nodes = IntArray(count) { contents.addNode(scanner.size("a node id", 1)) }
             for (node in nodes) {
                 readPlace(node)
                 repeat(parameters) { scanner.double("a parameter") }
             }
         }
         contents.closeNodes()
+        scanner.endBinary()
         scanner.expect("\$EndNodes")
     }
 
     private fun readElements4() {
-        val blocks = scanner.int("the number of element blocks", 0)
-        repeat(3) { scanner.int("a number of elements or an element id", 0) }
+        val blocks = scanner.size("the number of element blocks", 0)
+        repeat(3) { scanner.size("a number of elements or an element id", 0) }
         repeat(blocks) {
             val dimension = scanner.int("a dimension", 0)
             val entity = scanner.int("an entity", Int.MIN_VALUE)
             val type = scanner.int("an element type", 1)
             val group = entityGroups[key(dimension, entity)] ?: 0
-            repeat(scanner.int("the number of elements of the block", 0)) {
-                scanner.int("an element id", 1)
-                contents.readElement(type, group)
+            repeat(scanner.size("the number of elements of the block", 0)) {
+                scanner.size("an element id", 1)
+                readNodesOf(type, group)
             }
         }
+        scanner.endBinary()
         scanner.expect("\$EndElements")
     }
 
@@ -149,7 +207,7 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
     companion object {
         /**
          * @param source name of the file, for messages.
-         * @throws org.trigrid.diagnostics.FileFormatException with line and column.
+         * @throws org.trigrid.diagnostics.FileFormatException with line and column; in binary parts with the byte.
          */
         fun read(bytes: ByteArray, source: String): TriMesh = MshReader(MshScanner(bytes, source)).read()
     }

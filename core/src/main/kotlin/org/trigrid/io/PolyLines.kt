@@ -3,7 +3,7 @@ package org.trigrid.io
 import org.trigrid.diagnostics.FileFormatException
 
 /** The lines of a file of Triangle's, split into fields; empty lines, and what follows a `#`, do not count. */
-internal class PolyLines(private val source: String, text: String) {
+internal class PolyLines(val source: String, text: String) {
     private val lines = linesOf(text)
     private var line = -1
 
@@ -12,6 +12,9 @@ internal class PolyLines(private val source: String, text: String) {
 
     var fieldCount: Int = 0
         private set
+
+    /** Of the line at hand, from 1. */
+    val lineNumber: Int get() = line + 1
 
     private fun linesOf(text: String): List<String> {
         ReadingMemory.check(source, text.length, ReadingMemory.POLY * text.length)

@@ -24,6 +24,12 @@ internal object ReadingMemory {
     /** An array cannot be longer, whatever the heap. */
     private const val LONGEST = Int.MAX_VALUE - 16L
 
+    /** Of the file; packed numbers take more than twice as much when they are unpacked. */
+    const val VTU = 16.0
+
+    /** SVG, DXF and `.geo`. */
+    const val DRAWING = 100.0
+
     /** @throws FileFormatException if [multiple] times the size of [file] is more than the heap may hold. */
     @Throws(IOException::class)
     fun check(file: Path, multiple: Double) {

@@ -24,6 +24,12 @@ internal class TextBuffer(private val out: OutputStream) {
         return this
     }
 
+    /** Text with characters of any kind, in UTF-8. */
+    fun utf8(text: String): TextBuffer {
+        for (b in text.toByteArray(Charsets.UTF_8)) byte(b.toInt())
+        return this
+    }
+
     fun space(): TextBuffer = byte(' '.code)
 
     fun line(): TextBuffer = byte('\n'.code)

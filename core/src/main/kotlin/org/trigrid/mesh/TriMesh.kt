@@ -1,5 +1,6 @@
 package org.trigrid.mesh
 
+import org.trigrid.domain.Domain
 import java.util.BitSet
 
 /**
@@ -119,6 +120,9 @@ public class TriMesh internal constructor(
      * @throws IllegalArgumentException if that is no permutation of the node numbers.
      */
     public fun renumbered(newNumbers: IntArray): TriMesh = MeshRenumbering.apply(this, newNumbers)
+
+    /** The domain that the mesh fills: its boundary edges as loops, and its embedded edges, with their tags. */
+    public fun outline(): Domain = MeshOutline.of(this)
 
     /** Nodes on the edges of group [tag], ascending; for boundary conditions. Empty for an unknown name. */
     public fun nodesOn(tag: String): IntArray {

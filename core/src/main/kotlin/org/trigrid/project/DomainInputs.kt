@@ -6,7 +6,7 @@ import java.io.IOException
 import java.nio.file.Path
 import org.trigrid.domain.Path as ShapePath
 
-/** Reads domains from any file that TriGrid knows: projects, and the polygon files of [DomainFormats]. */
+/** Reads domains from any file that TriGrid knows: projects, and the formats of [DomainFormats]. */
 public object DomainInputs {
     /** As the other, with the nodes that the file has. */
     @JvmStatic
@@ -23,7 +23,7 @@ public object DomainInputs {
     @JvmStatic
     @Throws(IOException::class)
     public fun read(file: Path, options: InputOptions): List<DomainInput> =
-        if (isProject(file)) listOf(fromProject(file, options)) else fromPolygons(file, options)
+        if (isProject(file)) listOf(fromProject(file, options)) else fromFormats(file, options)
 
     /** Whether the name of [file] is that of a project. */
     @JvmStatic
@@ -37,10 +37,8 @@ public object DomainInputs {
         return DomainInput(file.fileName.toString().dropLast(PROJECT_ENDING.length), project.toDomain(), project.options)
     }
 
-    private fun fromPolygons(file: Path, options: InputOptions): List<DomainInput> = DomainFormats.read(file).map {
-        val domain = if (options.hasSpacing()) it.domain.respaced(options.spacing, options.ratio) else it.domain
-        DomainInput(it.name, domain, MeshOptions.DEFAULT)
-    }
+    private fun fromFormats(file: Path, options: InputOptions): List<DomainInput> =
+        DomainFormats.read(file, options.division).map { DomainInput(it.name, it.domain, MeshOptions.DEFAULT) }
 
     /** Every shape with the spacing and ratio asked for, as if its nodes had never been edited. */
     private fun respaced(path: ShapePath, options: InputOptions): ShapePath =

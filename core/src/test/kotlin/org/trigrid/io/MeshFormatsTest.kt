@@ -38,7 +38,7 @@ class MeshFormatsTest {
                 grid.mesh.xy, grid.mesh.elements, grid.mesh.edges + intArrayOf(a, b), grid.mesh.edgeTags + 2,
                 grid.mesh.tags + "a (rib) \"x\"", "plate",
             )
-            for (format in MeshFormat.entries) {
+            for (format in listOf(MeshFormat.MSH_22, MeshFormat.MSH_41)) {
                 val file = folder.resolve("mesh-$seed.msh")
                 MeshFormats.write(mesh, file, format)
                 val back = MeshFormats.read(file)
@@ -177,7 +177,7 @@ class MeshFormatsTest {
     @Test
     fun `every cut or changed file is read or refused, never more`() {
         val random = java.util.Random(3)
-        for (format in MeshFormat.entries) {
+        for (format in listOf(MeshFormat.MSH_22, MeshFormat.MSH_41)) {
             val good = text(GridMeshes.shaken(3, 3, 1L).mesh, format).toByteArray()
             repeat(1500) {
                 val bytes = if (it % 2 == 0) good.copyOf(random.nextInt(good.size)) else good.copyOf()

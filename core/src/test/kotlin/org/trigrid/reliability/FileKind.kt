@@ -5,11 +5,16 @@ import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
 import org.trigrid.domain.Path
 import org.trigrid.geometry.Point2
+import org.trigrid.io.DomainFormat
+import org.trigrid.io.DomainText
 import org.trigrid.io.GeoJsonReader
 import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
 import org.trigrid.io.MshReader
+import org.trigrid.io.MeditReader
 import org.trigrid.io.PolyReader
+import org.trigrid.io.TriangleReader
+import org.trigrid.io.VtuReader
 import org.trigrid.io.WktReader
 import org.trigrid.project.Project
 import org.trigrid.project.ProjectFile
@@ -43,6 +48,18 @@ internal class FileKind(val name: String, val samples: List<String>, private val
             FileKind("poly", listOf(POLY)) { text -> PolyReader.read(FilePath.of("none.poly"), text).forEach { DomainCheck.check(it.domain) } },
             FileKind("msh 2.2", listOf(mesh(MeshFormat.MSH_22))) { text -> MshReader.read(text.toByteArray(), "file") },
             FileKind("msh 4.1", listOf(mesh(MeshFormat.MSH_41))) { text -> MshReader.read(text.toByteArray(), "file") },
+            FileKind("msh 2.2 binary", listOf(mesh(MeshFormat.MSH_22_BINARY))) { text -> MshReader.read(bytes(text), "file") },
+            FileKind("msh 4.1 binary", listOf(mesh(MeshFormat.MSH_41_BINARY))) { text -> MshReader.read(bytes(text), "file") },
+            FileKind("svg", listOf(SVG)) { text -> drawing(DomainFormat.SVG, text) },
+            FileKind("dxf", listOf(DXF.replace(' ', '\n'))) { text -> drawing(DomainFormat.DXF, text) },
+            FileKind("geo", listOf(GEO)) { text -> drawing(DomainFormat.GEO, text) },
+            FileKind("points", listOf("x,y\n0,0\n4,0\n4.5,4e0\n\n1,1\n2,1\n2,2\n")) { text -> drawing(DomainFormat.POINTS, text) },
+            FileKind("topojson", listOf(TOPOJSON)) { text -> drawing(DomainFormat.TOPOJSON, text) },
+            FileKind("vtu", listOf(mesh(MeshFormat.VTU), VTU)) { text -> VtuReader.read(bytes(text), "file") },
+            FileKind("medit", listOf(mesh(MeshFormat.MEDIT))) { text -> MeditReader.read(bytes(text), "file") },
+            FileKind("triangle nodes", listOf(NODE)) { text -> triangle().read(text, ELE, null) },
+            FileKind("triangle elements", listOf(ELE)) { text -> triangle().read(NODE, text, EDGE) },
+            FileKind("triangle edges", listOf(EDGE)) { text -> triangle().read(NODE, ELE, text) },
         ) + paperShapes().map { (kind, text) -> FileKind("paper ${kind.name.lowercase()}", listOf(text)) { PaperText.read(kind, it, "file") } }
 
         private fun project(): String {
@@ -59,8 +76,22 @@ internal class FileKind(val name: String, val samples: List<String>, private val
                 .embed(doubleArrayOf(0.2, 0.2, 0.4, 0.2), "line").build()
             val out = ByteArrayOutputStream()
             MeshFormats.write(MeshGenerator.generate(domain).mesh, out, format)
-            return out.toString(Charsets.UTF_8)
+            return out.toString(Charsets.ISO_8859_1)
         }
+
+        /** Samples of binary files are texts of one character a byte. */
+        private fun bytes(text: String) = text.toByteArray(Charsets.ISO_8859_1)
+
+        /** A damaged number may ask for more nodes than are allowed, which the exception for shapes tells. */
+        private fun drawing(format: DomainFormat, text: String) {
+            try {
+                for (named in format.read(DomainText(FilePath.of("file"), text))) DomainCheck.check(named.domain)
+            } catch (e: org.trigrid.diagnostics.InvalidShapeException) {
+                check(e.message!!.isNotEmpty())
+            }
+        }
+
+        private fun triangle() = TriangleReader(FilePath.of("t.node"), FilePath.of("t.ele"), FilePath.of("t.edge"))
 
         private fun paperShapes(): List<Pair<PaperShape, String>> {
             val a = Point2(0.0, 0.0)
@@ -73,6 +104,38 @@ internal class FileKind(val name: String, val samples: List<String>, private val
                 PaperShape.CIRCLE to Circle(a, b, 0.5),
             ).map { (kind, shape) -> kind to PaperText.write(shape) }
         }
+
+        private const val SVG = """<svg viewBox="0 0 9 9"><g id="a" transform="translate(1,2) rotate(30)"><path d="M0 0h9v9.5H0z
+ M1 1C2 0 2 2 3 1S4 2 5 1T6 2A1 2 30 01 3 3Q2 3 1 1z"/></g><rect x="20" width="3" height="2" rx=".5"/><circle cx="30" r="2"/>
+<polyline points="1,1 2,2"/></svg>"""
+
+        private const val DXF = "0 SECTION 2 HEADER 9 \$INSUNITS 70 4 0 ENDSEC 0 SECTION 2 ENTITIES 0 LINE 8 low 10 0 20 0 11 4 21 0 " +
+            "0 LINE 10 4 20 0 11 4 21 3 0 LINE 10 4 20 3 11 0 21 0 0 CIRCLE 10 3 20 1 40 0.25 0 ELLIPSE 10 20 20 0 11 2 21 0 40 0.5 " +
+            "0 LWPOLYLINE 70 1 10 30 20 0 10 32 20 0 42 1 10 32 20 2 0 SPLINE 71 2 40 0 40 0 40 0 40 1 40 1 40 1 10 40 20 0 10 41 20 1 " +
+            "10 42 20 0 0 LINE 10 40 20 0 11 42 21 0 0 ENDSEC 0 EOF"
+
+        private const val GEO = """lc = 0.5 * 2; // size
+Point(1) = {0, 0, 0, lc}; Point(2) = {4, 0, 0, lc/2}; Point(3) = {2, 3, 0}; Point(4) = {2, 0, 0};
+Line(1) = {1, 2}; Spline(2) = {2, 3, 1}; Circle(3) = {1, 4, 2}; Curve Loop(1) = {1:2};
+Transfinite Curve {1} = 5 Using Progression 1.1; Plane Surface(1) = {1}; Physical Curve("a") = {1}; Mesh 2;
+"""
+
+        private const val TOPOJSON = """{"type": "Topology", "transform": {"scale": [0.5, 2], "translate": [10, 20]}, "objects": {"land":
+{"type": "GeometryCollection", "geometries": [{"type": "Polygon", "arcs": [[0, 1]]}, {"type": "MultiPolygon", "arcs": [[[2, -1]]]}]}},
+"arcs": [[[2, 0], [0, 2]], [[2, 2], [-2, 0], [0, -2], [2, 0]], [[2, 0], [2, 0], [0, 2], [-2, 0]]]}"""
+
+        private const val NODE = "# nodes\n4 2 1 1\n1 0 0 5 1\n2 1.5 0 5 1\n3 1 1e0 5 1\n7 0 1 5 0\n"
+        private const val ELE = "2 3 1\n1 1 2 3 4\n2 1 3 7 4\n"
+        private const val EDGE = "3 1\n1 1 2 3\n2 2 3 1\n3 3 1 0\n"
+
+        private const val VTU = """<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian" compressor="vtkZLibDataCompressor"><UnstructuredGrid>
+<Piece NumberOfPoints="4" NumberOfCells="3"><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+0 0 0 1 0 0  1 1 0  0 1e0 0</DataArray></Points><Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 0 2 3 0 1</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">3 6 8</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">5 5 3</DataArray></Cells>
+<CellData><DataArray type="Int32" Name="tag" format="binary">AQAAAACAAAAMAAAACwAAAA==eJxjYIAARgAADAAC</DataArray></CellData>
+</Piece></UnstructuredGrid></VTKFile>"""
 
         private const val LOOPS = """{"name": "two", "loops": [[[0, 0], [4, 0], [4, 4], [0, 4]], [[1, 1], [2, 1], [1, 2]]]}"""
 

@@ -14,7 +14,7 @@ internal object MeshDigests {
         val out = ByteArrayOutputStream()
         try {
             val mesh = MeshGenerator.generate(family.make(seed), FuzzRun.options(seed)).mesh
-            for (format in MeshFormat.entries) MeshFormats.write(mesh, out, format)
+            for (format in listOf(MeshFormat.MSH_22, MeshFormat.MSH_41)) MeshFormats.write(mesh, out, format)
         } catch (e: TooManyElementsException) {
             out.write(e.message!!.toByteArray())
         }

@@ -1,0 +1,34 @@
+package org.trigrid.cli.batch
+
+import java.io.Closeable
+import java.io.PrintStream
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+
+/** The report of a batch: one JSON object a line, each there as soon as its mesh is. Used by several threads. */
+internal class BatchLog private constructor(private val out: PrintStream?, private val closes: Boolean) : Closeable {
+    @Synchronized
+    fun write(line: String) {
+        val stream = out ?: return
+        stream.print(line + "\n")
+        stream.flush()
+    }
+
+    override fun close() {
+        if (closes) out?.close()
+    }
+
+    companion object {
+        /** @param target a file, `-` for [standard], or null for none; [appends] keeps the lines that are there. */
+        fun open(target: String?, standard: PrintStream, appends: Boolean): BatchLog = when (target) {
+            null -> BatchLog(null, false)
+            "-" -> BatchLog(standard, false)
+            else -> {
+                val mode = if (appends) StandardOpenOption.APPEND else StandardOpenOption.TRUNCATE_EXISTING
+                val file = Files.newOutputStream(Path.of(target), StandardOpenOption.CREATE, StandardOpenOption.WRITE, mode)
+                BatchLog(PrintStream(file.buffered(), false, Charsets.UTF_8), true)
+            }
+        }
+    }
+}

@@ -1,0 +1,130 @@
+package org.trigrid.cli.batch
+
+import org.trigrid.MeshGenerator
+import org.trigrid.MeshOptions
+import org.trigrid.cli.ExitCodes
+import org.trigrid.cli.Failures
+import org.trigrid.cli.Figures
+import org.trigrid.cli.MeshFigures
+import org.trigrid.cli.NumberedFiles
+import org.trigrid.cli.ReportJson
+import org.trigrid.cli.RunClock
+import org.trigrid.cli.Session
+import org.trigrid.diagnostics.MeshingCancelledException
+import org.trigrid.io.MeshFormat
+import org.trigrid.io.MeshFormats
+import org.trigrid.project.DomainInput
+import org.trigrid.project.DomainInputs
+import org.trigrid.project.InputOptions
+import java.io.ByteArrayOutputStream
+import java.io.PrintStream
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.Executors
+import java.util.concurrent.Semaphore
+import java.util.concurrent.TimeUnit
+
+/** How a batch is to be done. */
+internal class BatchPlan(
+    val inputOptions: InputOptions,
+    val format: MeshFormat,
+    val jobs: Int,
+    /** Whether meshes that are newer than their input are left as they are. */
+    val resumes: Boolean,
+    /** The options of a domain, by those of its file. */
+    val options: (MeshOptions) -> MeshOptions,
+)
+
+/** Meshes many files in this process by several threads, and goes on when one fails. The meshes do not depend on how many threads. */
+internal class BatchRun(
+    private val session: Session,
+    private val plan: BatchPlan,
+    private val files: List<BatchFile>,
+    private val log: BatchLog,
+) {
+    private val progress = BatchProgress(session.terminal, files.size)
+    private val codes = ConcurrentHashMap.newKeySet<Int>()
+
+    /** @return the exit code: of the worst that happened, a defect before a bad file before a faulty domain. */
+    fun run(): Int {
+        val pool = Executors.newFixedThreadPool(plan.jobs)
+        // Files are not read far ahead, as their domains take memory.
+        val slots = Semaphore(AHEAD * plan.jobs)
+        try {
+            for (file in files) {
+                if (session.cancellation.isRequested) break
+                val domains = attempt(file, null, 1.0) { DomainInputs.read(file.input, plan.inputOptions) } ?: continue
+                for (i in domains.indices) {
+                    slots.acquire()
+                    pool.execute {
+                        try {
+                            mesh(file, domains, i)
+                        } finally {
+                            slots.release()
+                        }
+                    }
+                }
+            }
+        } finally {
+            pool.shutdown()
+            pool.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS)
+            progress.close()
+        }
+        return if (session.cancellation.isRequested) ExitCodes.CANCELLED else SEVERITY.firstOrNull { it in codes } ?: ExitCodes.DONE
+    }
+
+    fun summary(): String {
+        val skipped = if (progress.skipped > 0) "${progress.skipped} there already, " else ""
+        return "${progress.meshes} meshes of ${files.size} files, ${progress.elements} elements, $skipped${progress.failed} failed, " +
+            Figures.seconds(progress.seconds)
+    }
+
+    private fun mesh(file: BatchFile, domains: List<DomainInput>, index: Int) {
+        val share = 1.0 / domains.size
+        if (session.cancellation.isRequested) return
+        val given = domains[index]
+        val output = NumberedFiles.name(file.output, index, domains.size)
+        if (plan.resumes && isThere(output, file.input)) return progress.skip(share)
+        val clock = RunClock()
+        attempt(file, given.name, share) {
+            val result = MeshGenerator.generate(given.domain, plan.options(given.options)) { _, _ -> !session.cancellation.isRequested }
+            clock.writing {
+                output.toAbsolutePath().parent?.let { Files.createDirectories(it) }
+                MeshFormats.write(result.mesh, output, plan.format)
+            }
+            log.write(ReportJson.line(file.input, output, MeshFigures(given.name, result.report, clock)))
+            progress.done(share, result.mesh.elementCount)
+        }
+    }
+
+    private fun isThere(output: Path, input: Path): Boolean = plan.format.filesOf(output).all {
+        Files.exists(it) && Files.getLastModifiedTime(it) >= Files.getLastModifiedTime(input)
+    }
+
+    /** Does [work]; what goes wrong is told and counted, and null returned. */
+    private fun <T> attempt(file: BatchFile, name: String?, share: Double, work: () -> T): T? = try {
+        work()
+    } catch (_: MeshingCancelledException) {
+        null
+    } catch (error: Exception) {
+        val text = ByteArrayOutputStream()
+        val code = PrintStream(text, false, Charsets.UTF_8).use { Failures(it).report(error, file.input.toString()) }
+        failed(file, name, share, code, text.toString(Charsets.UTF_8))
+    } catch (_: OutOfMemoryError) {
+        val advice = "use fewer --jobs, or TRIGRID_JAVA_OPTS=-Xmx8g or the like"
+        failed(file, name, share, ExitCodes.DEFECT, "${file.input}: not enough memory; $advice\n")
+    }
+
+    private fun <T> failed(file: BatchFile, name: String?, share: Double, code: Int, lines: String): T? {
+        codes.add(code)
+        log.write(ReportJson.failure(file.input, name, code, lines.lineSequence().first().removePrefix("${file.input}: ")))
+        progress.fail(share, lines)
+        return null
+    }
+
+    private companion object {
+        const val AHEAD = 2
+        val SEVERITY = listOf(ExitCodes.DEFECT, ExitCodes.FILE_TROUBLE, ExitCodes.INVALID_DOMAIN)
+    }
+}

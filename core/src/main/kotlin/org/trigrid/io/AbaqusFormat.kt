@@ -1,0 +1,67 @@
+package org.trigrid.io
+
+import org.trigrid.mesh.TaggedSides
+import org.trigrid.mesh.TriMesh
+import java.io.OutputStream
+
+/**
+ * Input files of Abaqus and CalculiX: nodes, elements CPS3 (plane stress), and for each tag a node set, a set of the
+ * elements along it and, where it is on the boundary, a surface of their edges.
+ */
+internal class AbaqusFormat : MeshFormat("abaqus", "Abaqus and CalculiX input", listOf(".inp"), canRead = false) {
+    override fun write(mesh: TriMesh, out: OutputStream) {
+        val text = TextBuffer(out)
+        val groups = MeshGroups(mesh, GroupNames.ABAQUS)
+        text.line("*HEADING").line("mesh of TriGrid")
+        writeNodes(mesh, text)
+        text.text("*ELEMENT, TYPE=CPS3, ELSET=").line(groups.regionName)
+        for (element in 0 until mesh.elementCount) {
+            text.number(element + 1)
+            for (corner in 0..2) text.text(", ").number(mesh.nodeOf(element, corner) + 1)
+            text.line()
+        }
+        val sides = TaggedSides(mesh)
+        for (curve in 0 until groups.curveCount) writeSets(mesh, groups, sides, curve, text)
+        text.flush()
+    }
+
+    /** CalculiX reads the first 20 characters of a number. */
+    private fun writeNodes(mesh: TriMesh, text: TextBuffer) {
+        val decimal = DecimalText()
+        text.line("*NODE, NSET=Nall")
+        for (node in 0 until mesh.nodeCount) {
+            text.number(node + 1)
+            text.text(", ").text(decimal.fitting(mesh.x(node), NUMBER_WIDTH))
+            text.text(", ").text(decimal.fitting(mesh.y(node), NUMBER_WIDTH)).line(", 0")
+        }
+    }
+
+    private fun writeSets(mesh: TriMesh, groups: MeshGroups, sides: TaggedSides, curve: Int, text: TextBuffer) {
+        val name = groups.curveNames[curve]
+        text.text("*NSET, NSET=").line(name)
+        writeNumbers(groups.nodes(mesh, curve), text)
+        val halves = (0 until groups.size(curve)).map { sides.leftOf(groups.edge(curve, it)) }.sorted()
+        text.text("*ELSET, ELSET=").line(elementSet(name, groups))
+        writeNumbers(halves.map { it / 3 }.distinct().toIntArray(), text)
+        if ((0 until groups.size(curve)).any { groups.edge(curve, it) >= mesh.boundaryEdgeCount }) return
+        text.text("*SURFACE, TYPE=ELEMENT, NAME=").line(name)
+        for (half in halves) text.number(half / 3 + 1).text(", S").number(half % 3 + 1).line()
+    }
+
+    private fun elementSet(name: String, groups: MeshGroups): String {
+        val wanted = name + "_elements"
+        return if (wanted.equals(groups.regionName, ignoreCase = true)) name + "_elements_2" else wanted
+    }
+
+    private fun writeNumbers(zeroBased: IntArray, text: TextBuffer) {
+        for (i in zeroBased.indices) {
+            text.number(zeroBased[i] + 1)
+            if (i % PER_LINE == PER_LINE - 1 || i == zeroBased.lastIndex) text.line() else text.text(", ")
+        }
+    }
+
+    private companion object {
+        const val NUMBER_WIDTH = 20
+        const val PER_LINE = 16
+    }
+}

@@ -1,0 +1,111 @@
+package org.trigrid.io
+
+import org.trigrid.mesh.TriMesh
+import java.io.OutputStream
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Medit's `.mesh`, ASCII, in two dimensions. The reference of an edge is the number of its tag from 1; comments name them. */
+internal class MeditFormat : MeshFormat("medit", "Medit .mesh, ASCII", listOf(".mesh"), canRead = true) {
+    override fun write(mesh: TriMesh, out: OutputStream) {
+        val text = TextBuffer(out)
+        val groups = MeshGroups(mesh)
+        text.line("MeshVersionFormatted 2").line("Dimension 2")
+        for (i in 0 until groups.curveCount) text.text("# edges ").number(i + 1).text(": ").line(groups.curveNames[i])
+        text.text("# triangles 1: ").line(groups.regionName)
+        text.line("Vertices").number(mesh.nodeCount).line()
+        for (node in 0 until mesh.nodeCount) text.number(mesh.x(node)).space().number(mesh.y(node)).line(" 0")
+        text.line("Edges").number(mesh.taggedEdgeCount).line()
+        for (i in 0 until groups.curveCount) {
+            for (k in 0 until groups.size(i)) {
+                val edge = groups.edge(i, k)
+                text.number(mesh.edgeStart(edge) + 1).space().number(mesh.edgeEnd(edge) + 1).space().number(i + 1).line()
+            }
+        }
+        text.line("Triangles").number(mesh.elementCount).line()
+        for (element in 0 until mesh.elementCount) {
+            for (corner in 0..2) text.number(mesh.nodeOf(element, corner) + 1).space()
+            text.line("1")
+        }
+        text.line("End")
+        text.flush()
+    }
+
+    override fun read(file: Path): TriMesh {
+        ReadingMemory.check(file, ReadingMemory.MSH)
+        return MeditReader.read(Files.readAllBytes(file), file.toString())
+    }
+}
+
+/** Reads triangles and edges of a Medit file; a reference r names "ref_r". */
+internal class MeditReader private constructor(private val scanner: MshScanner) {
+    private val contents = MeshContents(scanner, "ref_", "ref_")
+    private var dimension = 0
+    private var vertexCount = -1
+
+    private fun read(): TriMesh {
+        scanner.expect("MeshVersionFormatted")
+        scanner.int("the version", 1)
+        while (!scanner.atEnd()) {
+            when (val keyword = scanner.word("a keyword")) {
+                "Dimension" -> dimension = scanner.int("the dimension", 2)
+                "Vertices" -> readVertices()
+                "Edges" -> readEdges()
+                "Triangles" -> readTriangles()
+                "Quadrilaterals", "Tetrahedra", "Hexahedra", "Prisms", "Pyramids", "TrianglesP2" -> {
+                    if (scanner.int("the number of elements", 0) > 0) scanner.fail("$keyword cannot be read, only Edges and Triangles")
+                }
+                "End" -> break
+                else -> {
+                    if (!keyword[0].isLetter()) scanner.fail("expected a keyword such as Vertices, found '$keyword'")
+                    scanner.skipNumbers()
+                }
+            }
+        }
+        return contents.toMesh()
+    }
+
+    private fun readVertices() {
+        if (dimension !in 2..3) scanner.fail("vertices before a Dimension of 2 or 3")
+        if (vertexCount >= 0) scanner.fail("a second section of vertices")
+        vertexCount = scanner.count("the number of vertices")
+        contents.expectNodes(vertexCount)
+        for (i in 1..vertexCount) {
+            val node = contents.addNode(i)
+            val x = scanner.double("x")
+            val y = scanner.double("y")
+            contents.place(node, x, y, if (dimension == 3) scanner.double("z") else 0.0)
+            scanner.int("a reference", Int.MIN_VALUE)
+        }
+        contents.closeNodes()
+    }
+
+    private fun readEdges() {
+        repeat(scanner.count("the number of edges")) {
+            val a = vertex()
+            val b = vertex()
+            contents.addLine(a, b, reference())
+        }
+    }
+
+    private fun readTriangles() {
+        repeat(scanner.count("the number of triangles")) {
+            val a = vertex()
+            val b = vertex()
+            val c = vertex()
+            contents.addTriangle(a, b, c, reference())
+        }
+    }
+
+    private fun vertex(): Int = contents.nodeOf(scanner.int("a vertex", 1))
+
+    private fun reference(): Int = Math.abs(scanner.int("a reference", -Int.MAX_VALUE))
+
+    companion object {
+        /**
+         * @param source name of the file, for messages.
+         * @throws org.trigrid.diagnostics.FileFormatException with line and column.
+         */
+        fun read(bytes: ByteArray, source: String): TriMesh = MeditReader(MshScanner(bytes, source, '#')).read()
+    }
+}

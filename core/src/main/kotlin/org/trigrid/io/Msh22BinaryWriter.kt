@@ -1,0 +1,42 @@
+package org.trigrid.io
+
+import org.trigrid.mesh.TriMesh
+
+/** Gmsh's MSH 2.2, binary: as [Msh22Writer], with nodes and elements as numbers of 4 and 8 bytes. */
+internal object Msh22BinaryWriter {
+    fun write(mesh: TriMesh, out: BinaryBuffer) {
+        val groups = MeshGroups(mesh)
+        out.line("\$MeshFormat").line("2.2 1 8").int(1).line("").line("\$EndMeshFormat")
+        writeNames(groups, out)
+        out.line("\$Nodes").line(mesh.nodeCount.toString())
+        for (node in 0 until mesh.nodeCount) out.int(node + 1).double(mesh.x(node)).double(mesh.y(node)).double(0.0)
+        out.line("").line("\$EndNodes")
+        out.line("\$Elements").line((mesh.taggedEdgeCount + mesh.elementCount).toString())
+        writeElements(mesh, groups, out)
+        out.line("").line("\$EndElements")
+    }
+
+    /** The same section in both versions, text also in binary files. */
+    fun writeNames(groups: MeshGroups, out: BinaryBuffer) {
+        out.line("\$PhysicalNames").line((groups.curveCount + 1).toString())
+        for (i in 0 until groups.curveCount) out.line("1 ${i + 1} \"${groups.curveNames[i]}\"")
+        out.line("2 ${groups.regionId} \"${groups.regionName}\"").line("\$EndPhysicalNames")
+    }
+
+    private fun writeElements(mesh: TriMesh, groups: MeshGroups, out: BinaryBuffer) {
+        var id = 1
+        for (i in 0 until groups.curveCount) {
+            out.int(MeshContents.LINE).int(groups.size(i)).int(2)
+            for (k in 0 until groups.size(i)) {
+                val edge = groups.edge(i, k)
+                out.int(id++).int(i + 1).int(i + 1).int(mesh.edgeStart(edge) + 1).int(mesh.edgeEnd(edge) + 1)
+            }
+        }
+        if (mesh.elementCount == 0) return
+        out.int(MeshContents.TRIANGLE).int(mesh.elementCount).int(2)
+        for (element in 0 until mesh.elementCount) {
+            out.int(id++).int(groups.regionId).int(1)
+            for (corner in 0..2) out.int(mesh.nodeOf(element, corner) + 1)
+        }
+    }
+}

@@ -1,0 +1,62 @@
+package org.trigrid.io
+
+import org.trigrid.mesh.TriMesh
+
+/** Gmsh's MSH 4.1, binary: as [Msh41Writer], with counts, node numbers and element numbers of 8 bytes. */
+internal object Msh41BinaryWriter {
+    fun write(mesh: TriMesh, out: BinaryBuffer) {
+        val groups = MeshGroups(mesh)
+        out.line("\$MeshFormat").line("4.1 1 8").int(1).line("").line("\$EndMeshFormat")
+        Msh22BinaryWriter.writeNames(groups, out)
+        writeEntities(mesh, groups, out)
+        writeNodes(mesh, out)
+        writeElements(mesh, groups, out)
+    }
+
+    private fun writeEntities(mesh: TriMesh, groups: MeshGroups, out: BinaryBuffer) {
+        out.line("\$Entities").long(0).long(groups.curveCount).long(1).long(0)
+        for (i in 0 until groups.curveCount) {
+            out.int(i + 1)
+            writeBox(MeshBox.ofCurve(mesh, groups, i), out)
+            out.long(1).int(i + 1).long(0)
+        }
+        out.int(1)
+        writeBox(MeshBox.of(mesh), out)
+        val bounding = Msh41Writer.boundingCurves(mesh, groups)
+        out.long(1).int(groups.regionId).long(bounding.size)
+        for (i in bounding) out.int(i + 1)
+        out.line("").line("\$EndEntities")
+    }
+
+    private fun writeBox(box: MeshBox, out: BinaryBuffer) {
+        out.double(box.minX).double(box.minY).double(0.0).double(box.maxX).double(box.maxY).double(0.0)
+    }
+
+    private fun writeNodes(mesh: TriMesh, out: BinaryBuffer) {
+        val count = mesh.nodeCount
+        out.line("\$Nodes").long(1).long(count).long(minOf(1, count)).long(count)
+        out.int(2).int(1).int(0).long(count)
+        for (node in 1..count) out.long(node)
+        for (node in 0 until count) out.double(mesh.x(node)).double(mesh.y(node)).double(0.0)
+        out.line("").line("\$EndNodes")
+    }
+
+    private fun writeElements(mesh: TriMesh, groups: MeshGroups, out: BinaryBuffer) {
+        val count = mesh.taggedEdgeCount + mesh.elementCount
+        out.line("\$Elements").long(groups.curveCount + 1).long(count).long(minOf(1, count)).long(count)
+        var id = 1
+        for (i in 0 until groups.curveCount) {
+            out.int(1).int(i + 1).int(MeshContents.LINE).long(groups.size(i))
+            for (k in 0 until groups.size(i)) {
+                val edge = groups.edge(i, k)
+                out.long(id++).long(mesh.edgeStart(edge) + 1).long(mesh.edgeEnd(edge) + 1)
+            }
+        }
+        out.int(2).int(1).int(MeshContents.TRIANGLE).long(mesh.elementCount)
+        for (element in 0 until mesh.elementCount) {
+            out.long(id++)
+            for (corner in 0..2) out.long(mesh.nodeOf(element, corner) + 1)
+        }
+        out.line("").line("\$EndElements")
+    }
+}

@@ -1,0 +1,58 @@
+package org.trigrid.io
+
+import org.trigrid.mesh.TriMesh
+import java.io.OutputStream
+
+/**
+ * Nastran bulk data: GRID* with fields of 16 characters, CTRIA3 with a property id for the region, and for each tag a SET1 of
+ * its nodes, which a comment names. Of a coordinate as many digits are kept as fit: 15, and 14 below 0.
+ */
+internal class NastranFormat : MeshFormat("nastran", "Nastran bulk data", listOf(".bdf", ".nas"), canRead = false) {
+    override fun write(mesh: TriMesh, out: OutputStream) {
+        val text = TextBuffer(out)
+        val groups = MeshGroups(mesh)
+        text.line("$ mesh of TriGrid").line("BEGIN BULK")
+        text.line("$ property 1: ${groups.regionName}")
+        val decimal = DecimalText()
+        for (node in 0 until mesh.nodeCount) {
+            text.text("GRID*   ").text((node + 1).toString().padEnd(LARGE)).text(" ".repeat(LARGE))
+            text.text(decimal.nastran(mesh.x(node), LARGE).padStart(LARGE))
+            text.text(decimal.nastran(mesh.y(node), LARGE).padStart(LARGE)).line()
+            text.text("*       ").line("0.".padStart(LARGE))
+        }
+        for (element in 0 until mesh.elementCount) {
+            text.text("CTRIA3  ")
+            writeSmall(element + 1, text)
+            writeSmall(1, text)
+            for (corner in 0..2) writeSmall(mesh.nodeOf(element, corner) + 1, text)
+            text.line()
+        }
+        for (curve in 0 until groups.curveCount) {
+            text.line("$ set ${curve + 1}: ${groups.curveNames[curve]}")
+            writeSet(curve + 1, groups.nodes(mesh, curve), text)
+        }
+        text.line("ENDDATA")
+        text.flush()
+    }
+
+    private fun writeSet(id: Int, nodes: IntArray, text: TextBuffer) {
+        text.text("SET1    ")
+        writeSmall(id, text)
+        for (i in nodes.indices) {
+            // Eight fields a line, the first line's first taken by the id.
+            if (i % FIELDS == FIELDS - 1) text.line().text("+       ")
+            writeSmall(nodes[i] + 1, text)
+        }
+        text.line()
+    }
+
+    private fun writeSmall(value: Int, text: TextBuffer) {
+        text.text(value.toString().padEnd(SMALL))
+    }
+
+    private companion object {
+        const val SMALL = 8
+        const val LARGE = 16
+        const val FIELDS = 8
+    }
+}

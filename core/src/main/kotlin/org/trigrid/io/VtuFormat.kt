@@ -1,0 +1,104 @@
+package org.trigrid.io
+
+import org.trigrid.mesh.TriMesh
+import java.io.OutputStream
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * VTK's XML unstructured grid, numbers appended as raw binary: triangles, then the tagged edges as lines. The cell arrays
+ * `region` and `tag` number the groups from 1, 0 for none; the field arrays `region_names` and `tag_names` hold their names,
+ * one a line.
+ */
+internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf(".vtu"), canRead = true) {
+    override fun write(mesh: TriMesh, out: OutputStream) {
+        val groups = MeshGroups(mesh)
+        val curveNames = groups.curveNames.joinToString("\n").toByteArray(Charsets.US_ASCII)
+        val regionNames = groups.regionName.toByteArray(Charsets.US_ASCII)
+        val binary = BinaryBuffer(out)
+        writeHeader(mesh, curveNames.size, regionNames.size, binary)
+        writeBytes(regionNames, binary)
+        writeBytes(curveNames, binary)
+        writePoints(mesh, binary)
+        writeCells(mesh, groups, binary)
+        writeGroups(mesh, groups, binary)
+        binary.line("").line("  </AppendedData>").line("</VTKFile>")
+        binary.flush()
+    }
+
+    private fun writeHeader(mesh: TriMesh, curveNames: Int, regionNames: Int, out: BinaryBuffer) {
+        val cells = mesh.elementCount + mesh.taggedEdgeCount
+        val corners = 3L * mesh.elementCount + 2L * mesh.taggedEdgeCount
+        var offset = 0L
+        fun array(type: String, name: String, bytes: Long, more: String = "") {
+            out.line("        <DataArray type=\"$type\" Name=\"$name\"$more format=\"appended\" offset=\"$offset\"/>")
+            offset += Long.SIZE_BYTES + bytes
+        }
+        out.line("<?xml version=\"1.0\"?>")
+        out.line("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">")
+        out.line("  <UnstructuredGrid>").line("    <FieldData>")
+        array("UInt8", "region_names", regionNames.toLong(), " NumberOfTuples=\"$regionNames\"")
+        array("UInt8", "tag_names", curveNames.toLong(), " NumberOfTuples=\"$curveNames\"")
+        out.line("    </FieldData>").line("    <Piece NumberOfPoints=\"${mesh.nodeCount}\" NumberOfCells=\"$cells\">")
+        out.line("      <Points>")
+        array("Float64", "Points", 24L * mesh.nodeCount, " NumberOfComponents=\"3\"")
+        out.line("      </Points>").line("      <Cells>")
+        array("Int32", "connectivity", 4 * corners)
+        array("Int32", "offsets", 4L * cells)
+        array("UInt8", "types", cells.toLong())
+        out.line("      </Cells>").line("      <CellData>")
+        array("Int32", "region", 4L * cells)
+        array("Int32", "tag", 4L * cells)
+        out.line("      </CellData>").line("    </Piece>").line("  </UnstructuredGrid>")
+        out.line("  <AppendedData encoding=\"raw\">").text("_")
+    }
+
+    private fun writeBytes(bytes: ByteArray, out: BinaryBuffer) {
+        out.long(bytes.size)
+        for (b in bytes) out.byte(b.toInt())
+    }
+
+    private fun writePoints(mesh: TriMesh, out: BinaryBuffer) {
+        out.long(24L * mesh.nodeCount)
+        for (node in 0 until mesh.nodeCount) out.double(mesh.x(node)).double(mesh.y(node)).double(0.0)
+    }
+
+    private fun writeCells(mesh: TriMesh, groups: MeshGroups, out: BinaryBuffer) {
+        val cells = mesh.elementCount + mesh.taggedEdgeCount
+        out.long(12L * mesh.elementCount + 8L * mesh.taggedEdgeCount)
+        for (element in 0 until mesh.elementCount) for (corner in 0..2) out.int(mesh.nodeOf(element, corner))
+        for (curve in 0 until groups.curveCount) {
+            for (k in 0 until groups.size(curve)) {
+                val edge = groups.edge(curve, k)
+                out.int(mesh.edgeStart(edge)).int(mesh.edgeEnd(edge))
+            }
+        }
+        out.long(4L * cells)
+        for (element in 1..mesh.elementCount) out.int(3 * element)
+        for (edge in 1..mesh.taggedEdgeCount) out.int(3 * mesh.elementCount + 2 * edge)
+        out.long(cells)
+        repeat(mesh.elementCount) { out.byte(VTK_TRIANGLE) }
+        repeat(mesh.taggedEdgeCount) { out.byte(VTK_LINE) }
+    }
+
+    private fun writeGroups(mesh: TriMesh, groups: MeshGroups, out: BinaryBuffer) {
+        val bytes = 4L * (mesh.elementCount + mesh.taggedEdgeCount)
+        out.long(bytes)
+        repeat(mesh.elementCount) { out.int(1) }
+        repeat(mesh.taggedEdgeCount) { out.int(0) }
+        out.long(bytes)
+        repeat(mesh.elementCount) { out.int(0) }
+        for (curve in 0 until groups.curveCount) repeat(groups.size(curve)) { out.int(curve + 1) }
+    }
+
+    override fun read(file: Path): TriMesh {
+        ReadingMemory.check(file, ReadingMemory.VTU)
+        return VtuReader.read(Files.readAllBytes(file), file.toString())
+    }
+
+    companion object {
+        const val VTK_VERTEX = 1
+        const val VTK_LINE = 3
+        const val VTK_TRIANGLE = 5
+    }
+}
