@@ -7,6 +7,7 @@ import org.trigrid.diagnostics.Stage
 import org.trigrid.diagnostics.TooManyElementsException
 import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
+import org.trigrid.front.FrontListener
 import org.trigrid.front.FrontMesher
 import org.trigrid.improve.MeshImprovement
 import org.trigrid.mesh.MeshFreezer
@@ -44,7 +45,19 @@ public object MeshGenerator {
      * @throws MeshingCancelledException if the monitor cancels.
      */
     @JvmStatic
-    public fun generate(domain: Domain, options: MeshOptions, monitor: ProgressMonitor): MeshResult {
+    public fun generate(domain: Domain, options: MeshOptions, monitor: ProgressMonitor): MeshResult =
+        run(domain, options, monitor, null)
+
+    /**
+     * As the other; the mesh is the same.
+     *
+     * @param listener hears of each element as the front makes it, before the mesh is improved and renumbered.
+     */
+    @JvmStatic
+    public fun generate(domain: Domain, options: MeshOptions, monitor: ProgressMonitor, listener: FrontListener): MeshResult =
+        run(domain, options, monitor, listener)
+
+    private fun run(domain: Domain, options: MeshOptions, monitor: ProgressMonitor, listener: FrontListener?): MeshResult {
         val run = StageClock(monitor)
         run.begin(Stage.CHECK)
         val faults = DomainCheck.check(domain)
@@ -58,7 +71,7 @@ public object MeshGenerator {
         if (refusal != null) throw TooManyElementsException(refusal)
 
         run.begin(Stage.FRONT)
-        val raw = FrontMesher.mesh(domain, sizes, options.strategy, expected, run)
+        val raw = FrontMesher.mesh(domain, sizes, options.strategy, expected, run, listener)
 
         run.begin(Stage.IMPROVE)
         if (options.improve) {

@@ -5,7 +5,7 @@ import org.trigrid.diagnostics.FaultKind
 import org.trigrid.diagnostics.InvalidDomainException
 
 /** Makes a [Domain] of a path's nodes and walks. */
-internal class PathDomain(private val xy: DoubleArray, private val walks: List<PathWalk>) {
+internal class PathDomain(val xy: DoubleArray, val walks: List<PathWalk>) {
     private val nodes = walks.map { it.nodes() }
 
     fun make(keepConnectors: Boolean, regionName: String): Domain {
@@ -39,7 +39,7 @@ internal class PathDomain(private val xy: DoubleArray, private val walks: List<P
      * taken anticlockwise, or clockwise where it lies inside an odd number of others. Walks that came off one walk keep
      * their directions to each other, which say what is in and what is out.
      */
-    private fun turnedGroups(): Set<Int> {
+    fun turnedGroups(): Set<Int> {
         val groups = walks.indices.groupBy { walks[it].group }
         val nesting = LoopNesting(xy, nodes)
         val turned = HashSet<Int>()
