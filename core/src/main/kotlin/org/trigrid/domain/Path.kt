@@ -68,6 +68,9 @@ public class Path private constructor(internal val steps: List<PathStep>) {
     /** Whether the shape is a connector. */
     public fun isConnector(shape: Int): Boolean = appended[shape].isConnector
 
+    /** Whether the shape is a connector made by [connect], whose ends stay at their nodes. */
+    public fun joinsWalks(shape: Int): Boolean = appended[shape] is ConnectStep
+
     /** Whether the shape's nodes are as it was exploded: none was moved, deleted or inserted. */
     public fun isLinked(shape: Int): Boolean = replay.touched.none { shape in it }
 
@@ -171,6 +174,18 @@ public class Path private constructor(internal val steps: List<PathStep>) {
         require(xy.size == 2 * nodes.size) { "${nodes.size} nodes need ${2 * nodes.size} coordinates, not ${xy.size}" }
         for (i in nodes.indices) requireNumbers(xy[2 * i], xy[2 * i + 1])
         return if (nodes.isEmpty()) this else Path(NodeMoves(steps, replay, nodes.map { key(it) }, xy).steps())
+    }
+
+    /**
+     * Travels the closed walk that passes a node the other way round; of several walks there the first. What a walk that came
+     * off another bounds is left out where it was included, and the other way about.
+     *
+     * @throws IllegalArgumentException if no closed walk passes the node.
+     */
+    public fun turnWalk(node: Int): Path {
+        val path = plus(TurnStep(key(node)))
+        require(path.replay.undone.isEmpty()) { "no closed walk passes node $node" }
+        return path
     }
 
     /**

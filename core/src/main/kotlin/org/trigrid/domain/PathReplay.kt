@@ -60,6 +60,7 @@ internal class PathReplay(steps: List<PathStep>) {
                     move(i, step)
                 }
                 is DeleteStep -> delete(i, step)
+                is TurnStep -> turn(step)
                 is InsertStep -> insert(i, step)
             }
             if (!done) undone.add(i)
@@ -234,6 +235,13 @@ internal class PathReplay(steps: List<PathStep>) {
         for (key in node.keys) byKey.remove(key)
         for (walk in allWalks()) walk.remove(node)
         walks.removeIf { it.nodes.isEmpty() }
+        return true
+    }
+
+    private fun turn(step: TurnStep): Boolean {
+        val node = byKey[step.node] ?: return false
+        val walk = allWalks().firstOrNull { it.isClosed && node in it.nodes } ?: return false
+        walk.turn()
         return true
     }
 

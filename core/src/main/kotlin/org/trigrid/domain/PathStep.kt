@@ -65,6 +65,13 @@ internal class DeleteStep(val node: NodeKey) : EditStep {
     override fun keys(): List<NodeKey> = listOf(node)
 }
 
+/** The closed walk that passes a node is travelled the other way round. */
+internal class TurnStep(val node: NodeKey) : EditStep {
+    override fun mapped(map: (NodeKey) -> NodeKey): EditStep = TurnStep(map(node))
+
+    override fun keys(): List<NodeKey> = listOf(node)
+}
+
 /** A node [node] at (x, y) between two neighbours. */
 internal class InsertStep(
     val node: NodeKey,

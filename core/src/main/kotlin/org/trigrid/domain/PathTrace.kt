@@ -69,11 +69,14 @@ internal class PathTrace(var group: Int) {
         val walk = PathTrace(group)
         for (i in 0..count) walk.nodes.add(nodes[(begin + i) % count])
         for (i in 0 until count) walk.legs.add(legs[(begin + i) % count])
-        if (isTurned) {
-            walk.nodes.reverse()
-            walk.legs.reverse()
-        }
+        if (isTurned) walk.turn()
         return walk
+    }
+
+    /** Travels the walk the other way round. */
+    fun turn() {
+        nodes.reverse()
+        legs.reverse()
     }
 
     /** Goes, where it first passes the first node of [way], along that, round [loop], which begins at its end, and back. */

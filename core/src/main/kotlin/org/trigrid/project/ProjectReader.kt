@@ -6,13 +6,14 @@ import org.trigrid.domain.AppendStep
 import org.trigrid.domain.BackStep
 import org.trigrid.domain.ConnectStep
 import org.trigrid.domain.DeleteStep
-import org.trigrid.domain.KeyedStep
 import org.trigrid.domain.InsertStep
+import org.trigrid.domain.KeyedStep
 import org.trigrid.domain.MoveStep
 import org.trigrid.domain.NewLoopStep
 import org.trigrid.domain.NodeKey
 import org.trigrid.domain.Path
 import org.trigrid.domain.PathStep
+import org.trigrid.domain.TurnStep
 import org.trigrid.front.Strategy
 import org.trigrid.io.JsonDocument
 import org.trigrid.numbering.NumberingMethod
@@ -106,6 +107,7 @@ internal object ProjectReader {
             "new-loop" -> NewLoopStep
             "move" -> fields.point("to").let { MoveStep(node(fields, "node"), it.x, it.y, fields.boolean("withNext", false)) }
             "connect" -> connect(fields, defaults)
+            "turn" -> TurnStep(node(fields, "node"))
             "delete" -> DeleteStep(node(fields, "node"))
             "insert" -> fields.point("at").let {
                 InsertStep(node(fields, "node"), node(fields, "from"), node(fields, "to"), it.x, it.y)

@@ -18,6 +18,7 @@ import org.trigrid.domain.MoveStep
 import org.trigrid.domain.NewLoopStep
 import org.trigrid.domain.Path
 import org.trigrid.domain.PathStep
+import org.trigrid.domain.TurnStep
 import org.trigrid.geometry.Point2
 import org.trigrid.shape.Arc
 import org.trigrid.shape.Circle
@@ -94,6 +95,10 @@ internal class ProjectWriter(private val project: Project) {
                 put("node", step.node.toString())
                 put("to", point(Point2(step.x, step.y)))
                 if (step.isWithNext) put("withNext", true)
+            }
+            is TurnStep -> {
+                put("type", "turn")
+                put("node", step.node.toString())
             }
             is DeleteStep -> {
                 put("type", "delete")

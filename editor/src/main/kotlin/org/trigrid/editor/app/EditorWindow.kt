@@ -1,6 +1,9 @@
 package org.trigrid.editor.app
 
+import java.nio.file.Path
+import java.util.concurrent.ExecutorService
 import javafx.application.Platform
+import javafx.geometry.Insets
 import javafx.geometry.Orientation
 import javafx.geometry.Pos
 import javafx.scene.Scene
@@ -31,8 +34,6 @@ import org.trigrid.editor.inspector.OptionsViewModel
 import org.trigrid.editor.session.Change
 import org.trigrid.editor.session.EditorSession
 import org.trigrid.editor.session.ViewSettings
-import java.nio.file.Path
-import java.util.concurrent.ExecutorService
 
 /** The window: menus, tools, the sheet, what is picked, what is wrong, how the mesh stands. */
 internal class EditorWindow(
@@ -45,7 +46,8 @@ internal class EditorWindow(
     private val dialogs = Dialogs { stage }
     val files = FileActions(session, preferences, Autosave(Preferences.folder()), dialogs, worker) { stage }
     private val edit = EditActions(session, canvas, dialogs)
-    private val menus = Menus(session, preferences, files, edit, ExportActions(session, files, canvas) { stage }, this)
+    private val picture = PictureActions(session, canvas, dialogs)
+    private val menus = Menus(session, preferences, files, edit, picture, ExportActions(session, files, canvas) { stage }, this)
     private val inspector = InspectorView(session)
     private val options = OptionsViewModel(session)
     private val optionFields = FieldsView { field, text -> field.change?.let { commitOption(it, field.value, text) } }
@@ -59,7 +61,8 @@ internal class EditorWindow(
     private val welcome = WelcomeView(
         preferences, worker, Platform::runLater, { theme }, files::open, ::openCase, files::open, ::startDrawing,
     )
-    private val centre = StackPane(canvas, welcome)
+    private val film = FrontBar(session)
+    private val centre = StackPane(canvas, film, welcome)
 
     init {
         root.top = VBox(menus.bar(), toolBar())
@@ -68,6 +71,8 @@ internal class EditorWindow(
         root.right = side()
         root.bottom = status
         StackPane.setAlignment(welcome, Pos.CENTER)
+        StackPane.setAlignment(film, Pos.BOTTOM_CENTER)
+        StackPane.setMargin(film, Insets(0.0, 0.0, FILM_MARGIN, 0.0))
         welcome.managedProperty().bind(welcome.visibleProperty())
         val scene = Scene(root, preferences.number("width") ?: WIDTH, preferences.number("height") ?: HEIGHT)
         scene.stylesheets.add(stylesheet)
@@ -107,7 +112,7 @@ internal class EditorWindow(
             menus.new.button(), menus.open.button(), menus.save.button(), bar(),
             menus.undo.button(), menus.redo.button(), bar(),
             menus.zoomIn.button(), menus.zoomOut.button(), menus.fit.button(), bar(),
-            menus.closeLoop.button(), menus.reverse.button(), bar(), mesh, live,
+            menus.closeLoop.button(), menus.reverse.button(), menus.connect.button(), bar(), mesh, live,
         )
     }
 
@@ -156,7 +161,7 @@ internal class EditorWindow(
                 remember()
             }
             Change.TOOL -> canvas.requestFocus()
-            Change.PREVIEW, Change.PROBLEMS, Change.PROGRESS, Change.MESSAGE -> Unit
+            Change.PREVIEW, Change.PROBLEMS, Change.PROGRESS, Change.MESSAGE, Change.PLAYBACK -> Unit
         }
     }
 
@@ -195,7 +200,7 @@ internal class EditorWindow(
         val image = javafx.scene.image.Image(file.toUri().toString())
         if (image.isError) return dialogs.tell("$file cannot be shown", "It is no PNG or JPEG picture.")
         welcome.isVisible = false
-        edit.setPicture(file, image.width)
+        picture.set(file, image.width)
     }
 
     // What menus and buttons ask for
@@ -232,6 +237,8 @@ internal class EditorWindow(
         canvas.colours = theme.colours
         inspector.ink = theme.colours.text
         meshPanel.ink = theme.colours.text
+        options.palette = theme.colours.palette
+        optionFields.show(options.sections)
         welcome.refresh()
     }
 
@@ -316,6 +323,7 @@ internal class EditorWindow(
         private const val HEIGHT = 820.0
         private const val LEAST_WIDTH = 760.0
         private const val LEAST_HEIGHT = 520.0
+        private const val FILM_MARGIN = 14.0
         private val PICTURES = listOf(".png", ".jpg", ".jpeg", ".gif", ".bmp")
 
         val stylesheet: String = EditorWindow::class.java.getResource("editor.css")!!.toExternalForm()

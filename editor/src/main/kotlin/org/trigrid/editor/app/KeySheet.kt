@@ -15,6 +15,7 @@ internal object KeySheet {
         appendLine("Double click on a line inserts a node; drop a node on another to merge them.")
         appendLine()
         appendLine("Wheel zooms at the mouse; right or middle button, or Space and drag, move the sheet.")
-        append("F4 problems, F5 mesh, F6 matrix, F7 mesh shown, F8 nodes, F9 numbers")
+        appendLine("While the front is played: Space plays and pauses, Left and Right step, Esc ends.")
+        append("Ctrl+K connects openings, Shift+F6 plays the front, F4 problems, F5 mesh, F6 matrix, F7 mesh shown, F8 nodes, F9 numbers")
     }
 }

@@ -19,6 +19,7 @@ internal class Menus(
     private val preferences: Preferences,
     private val files: FileActions,
     private val edit: EditActions,
+    private val picture: PictureActions,
     private val export: ExportActions,
     private val window: WindowActions,
 ) {
@@ -41,6 +42,7 @@ internal class Menus(
     val reverse = EditorAction("Reverse direction", "Shortcut+R", Icons.REVERSE, isPossible = { session.selection.shapes.isNotEmpty() }) {
         session.execute(ShapeCommands.reverse(session.selection.shapes))
     }
+    val connect = EditorAction("Connect opening", "Shortcut+K", Icons.CONNECT) { edit.connectOpenings() }
     private val exportMesh = EditorAction("Export mesh (.msh)…", "Shortcut+E", isPossible = { session.mesh != null }) { export.mesh() }
     private val matrix = EditorAction("Matrix before and after renumbering", "F6", isPossible = { session.mesh != null }) { window.showMatrix() }
     private val all = ArrayList<EditorAction>()
@@ -48,7 +50,7 @@ internal class Menus(
     private val checks = ArrayList<() -> Unit>()
 
     fun bar(): MenuBar {
-        val bar = MenuBar(fileMenu(), editMenu(), drawMenu(), viewMenu(), meshMenu(), helpMenu())
+        val bar = MenuBar(fileMenu(), editMenu(), drawMenu(), pictureMenu(), viewMenu(), meshMenu(), helpMenu())
         bar.isUseSystemMenuBar = true
         return bar
     }
@@ -56,7 +58,7 @@ internal class Menus(
     /** Brings names and marks up to date. */
     fun update() {
         all.forEach { it.update() }
-        listOf(new, open, save, undo, redo, fit, zoomIn, zoomOut, mesh, closeLoop, reverse).forEach { it.update() }
+        listOf(new, open, save, undo, redo, fit, zoomIn, zoomOut, mesh, closeLoop, reverse, connect).forEach { it.update() }
         checks.forEach { it() }
     }
 
@@ -95,16 +97,25 @@ internal class Menus(
     private fun drawMenu(): Menu {
         val kinds = ShapeKind.entries.map { kind -> MenuItem("${kind.label}    ${kind.key}").apply { setOnAction { session.draw(kind) } } }
         val menu = menu(
-            "_Draw", null, item(closeLoop),
+            "_Draw", null, item(closeLoop), item(connect),
             item("Go back along connector", "Shortcut+B") { session.execute(ShapeCommands.goBack()) },
             item("Begin new loop", "Shortcut+Shift+N") { session.execute(ShapeCommands.beginLoop()) },
-            item("Measure", "Shortcut+Shift+M") { edit.measure() }, null,
-            item("Background picture…") { window.choosePicture() }, item("Scale picture by two points") { edit.scalePicture() },
-            item("Move picture") { edit.movePicture() }, item("Picture stronger") { edit.fadePicture(FADE) },
-            item("Picture weaker") { edit.fadePicture(-FADE) }, item("Remove picture") { edit.removePicture() },
+            item("Measure", "Shortcut+Shift+M") { edit.measure() },
         )
         menu.items.addAll(0, kinds)
         return menu
+    }
+
+    private fun pictureMenu(): Menu {
+        val onPicture = { label: String, keys: String, run: () -> Unit -> item(EditorAction(label, keys, isPossible = { picture.isThere }, run = run)) }
+        return menu(
+            "_Picture", item("Choose a picture to trace…", "Shortcut+Shift+P") { window.choosePicture() }, null,
+            onPicture("Scale by two points", "") { picture.scale() }, onPicture("Move", "") { picture.move() },
+            onPicture("Rotate by two points", "") { picture.rotate() }, null,
+            onPicture("Stronger", "Shortcut+Shift+Up") { picture.fade(FADE) }, onPicture("Weaker", "Shortcut+Shift+Down") { picture.fade(-FADE) },
+            check("Locked", "Shortcut+Shift+L", { picture.isLocked }) { picture.lock(it) }, null,
+            onPicture("Remove", "") { picture.remove() },
+        )
     }
 
     private fun viewMenu(): Menu {
@@ -128,7 +139,8 @@ internal class Menus(
 
     private fun meshMenu(): Menu = menu(
         "_Mesh", item(mesh), check("Mesh while editing", "Shift+F5", { session.isLive }) { session.isLive = it },
-        item("Cancel") { session.cancelMeshing() }, item("Clear mesh") { session.clearMesh() }, null, item(matrix), null, item(exportMesh),
+        item("Cancel") { session.cancelMeshing() }, item("Clear mesh") { session.clearMesh() }, null,
+        item("Play the front", "Shift+F6") { session.playFront() }, item(matrix), null, item(exportMesh),
     )
 
     private fun helpMenu(): Menu = menu("_Help", item("Keys and mouse", "F1") { window.showKeys() }, item("About TriGrid") { window.showAbout() })

@@ -43,9 +43,14 @@ internal class StatusBar(private val session: EditorSession, private val showPro
         entry.promptText = "3,4   @1,0   @2<30"
         entry.prefColumnCount = 13
         entry.styleClass.add("coordinate-entry")
-        entry.tooltip = Tooltip("Type a place at any moment: 3,4 as it stands, @1,0 from the last point, @2<30 by length and angle")
+        entry.tooltip = Tooltip("Type a place at any moment, Tab goes to its second number: 3,4 as it stands, @1,0 from the last point, @2<30 by length and angle")
         entry.setOnAction { submit() }
         entry.setOnKeyPressed {
+            if (it.code == KeyCode.TAB && !it.isShiftDown && CoordinateEntry.awaitsSecond(entry.text)) {
+                entry.text = CoordinateEntry.withSeparator(entry.text)
+                entry.positionCaret(entry.text.length)
+                it.consume()
+            }
             if (it.code == KeyCode.ESCAPE) {
                 entry.clear()
                 toCanvas()
@@ -95,7 +100,7 @@ internal class StatusBar(private val session: EditorSession, private val showPro
             Change.MESH, Change.VIEW -> refreshFigures()
             Change.PROBLEMS, Change.DOCUMENT -> refreshProblems()
             Change.PROGRESS -> refreshProgress()
-            Change.FILE -> Unit
+            Change.FILE, Change.PLAYBACK -> Unit
         }
     }
 

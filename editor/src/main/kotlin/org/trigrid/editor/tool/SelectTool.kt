@@ -17,7 +17,7 @@ import org.trigrid.shape.Similarity
 
 /** Picks and moves nodes and shapes. A drag is one step. */
 internal class SelectTool(private val host: ToolHost, private val isLasso: Boolean = false) : Tool {
-    private enum class Drag { NONE, WAITING, NODES, SHAPES, HANDLE, AREA }
+    private enum class Drag { NONE, WAITING, NODES, SHAPES, HANDLE, AREA, PICTURE }
 
     private var drag = Drag.NONE
     private var pressed = Point2(0.0, 0.0)
@@ -35,9 +35,12 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
     override val hint: String
         get() = when {
             drag == Drag.NODES && isOverNode >= 0 -> "Release to merge with node $isOverNode"
+            drag == Drag.PICTURE -> "Release to put the picture there; Esc cancels"
             drag == Drag.NODES || drag == Drag.SHAPES || drag == Drag.HANDLE -> "Release to move; Alt suspends snapping, Esc cancels"
             drag == Drag.AREA -> "Release to pick the nodes inside; Shift adds to what is picked"
             host.state.selection.nodes.isNotEmpty() -> "Drag to move, onto another node to merge; Delete removes"
+            host.state.selection.isEmpty && host.state.document.picture?.isLocked == false ->
+                "Drag the picture, or lock it (menu Picture) to pick nodes over it"
             host.state.selection.isEmpty -> "Click a shape or a node, or drag a box round nodes"
             else -> "Drag to move, a square to reshape; click the arrow to reverse"
         }
@@ -67,6 +70,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
         val hit = if (grabbed >= 0) Selection.ofNode(grabbed) else segment?.selection()
         if (hit == null || hit.isEmpty) {
             startArea(input)
+            if (!isLasso && !input.isShiftDown && PictureDrag.isOver(host, pressed)) drag = Drag.PICTURE
             return
         }
         anchor = if (grabbed >= 0) document.nodes.point(grabbed) else nearerEnd(segment!!)
@@ -85,6 +89,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
                 if (isLasso) lasso.add(at) else extend(at)
                 preview = Preview(lasso = lasso.toList())
             }
+            Drag.PICTURE -> preview = Preview(listOf(PictureDrag.frame(host, pressed, at)))
             Drag.NODES -> showNodes(snapped(input))
             Drag.SHAPES -> showShapes(snapped(input))
             Drag.HANDLE -> showHandle(snapped(input))
@@ -102,6 +107,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
             Drag.SHAPES -> moved(snapped(input)).let { if (!isIdle(it)) host.execute(TransformSelection(it, "move")) }
             Drag.HANDLE -> pull(snapped(input).point)
             Drag.AREA -> pickArea(input)
+            Drag.PICTURE -> PictureDrag.drop(host, pressed, Point2(input.x, input.y), SLACK * input.pixel)
             Drag.NONE, Drag.WAITING -> Unit
         }
     }
@@ -132,7 +138,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
 
     private fun handles(): List<ShapeHandle> {
         val shape = host.state.selection.onlyShape
-        return if (shape < 0) emptyList() else ShapeHandles.of(host.state.document.path.shape(shape))
+        return if (shape < 0) emptyList() else ShapeHandles.of(host.state.document.path, shape)
     }
 
     private fun pick(hit: Selection, adds: Boolean) {

@@ -13,7 +13,6 @@ import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.EnabledIf
 import org.junit.jupiter.api.extension.ExtendWith
 import org.testfx.api.FxRobot
 import org.testfx.framework.junit5.ApplicationExtension
@@ -38,11 +37,7 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /** The window with a real mouse and real keys. */
-@EnabledIf(
-    value = "org.trigrid.editor.app.Display#isThere",
-    disabledReason = "there is no display; run the tests under xvfb-run to have the window tested",
-)
-@ExtendWith(ApplicationExtension::class)
+@ExtendWith(NeedsDisplay::class, ApplicationExtension::class)
 internal class EditorWindowTest {
     private val folder = Files.createTempDirectory("trigrid-window")
     private lateinit var window: EditorWindow
