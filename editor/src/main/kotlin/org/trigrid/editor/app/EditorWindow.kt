@@ -196,7 +196,7 @@ internal class EditorWindow(
         if (PICTURES.any { name.endsWith(it) }) setPicture(file) else files.open(file)
     }
 
-    private fun setPicture(file: Path) {
+    fun setPicture(file: Path) {
         val image = javafx.scene.image.Image(file.toUri().toString())
         if (image.isError) return dialogs.tell("$file cannot be shown", "It is no PNG or JPEG picture.")
         welcome.isVisible = false

@@ -4,15 +4,18 @@ import org.trigrid.diagnostics.Fault
 import org.trigrid.diagnostics.FaultKind
 import org.trigrid.diagnostics.TriGridException
 import org.trigrid.domain.DomainCheck
+import org.trigrid.domain.Path
 import org.trigrid.editor.command.DeleteSelection
 import org.trigrid.editor.command.EditCommand
 import org.trigrid.editor.command.MoveNodes
+import org.trigrid.editor.command.ReplaceShape
 import org.trigrid.editor.command.ShapeCommands
 import org.trigrid.editor.document.EditorDocument
 import org.trigrid.editor.document.EditorState
 import org.trigrid.editor.document.NodeEdits
 import org.trigrid.editor.document.Picking
 import org.trigrid.editor.document.Selection
+import org.trigrid.editor.document.ShapeEdits
 import org.trigrid.geometry.Point2
 
 /** What mends a fault, as a step that can be undone. */
@@ -35,8 +38,14 @@ internal object FaultFixes {
         if (last >= path.nodeCount || first >= path.nodeCount) return null
         val nearest = document.project.defaults.spacing * NEARLY
         if (path.node(first).distanceTo(path.node(last)) > nearest) return null
-        val command = MoveNodes(intArrayOf(last), listOf(path.node(first)))
-        return Named("snap the ends together", command)
+        val command = shapeEndingAt(path, path.node(last))?.let { shape ->
+            ShapeEdits.endedAt(path.shape(shape), path.node(first))?.let { ReplaceShape(shape, it, "end") }
+        }
+        return Named("snap the ends together", command ?: MoveNodes(intArrayOf(last), listOf(path.node(first))))
+    }
+
+    private fun shapeEndingAt(path: Path, end: Point2): Int? = (0 until path.shapeCount).lastOrNull {
+        path.isLinked(it) && !path.isConnector(it) && !path.shape(it).isClosed() && path.shape(it).lastPoint == end
     }
 
     /** Turns the loop round that runs the wrong way: the one whose turning leaves the fewest faults. */

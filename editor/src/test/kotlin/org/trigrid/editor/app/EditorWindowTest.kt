@@ -137,6 +137,60 @@ internal class EditorWindowTest {
     }
 
     @Test
+    fun `an opening is connected and the front is played by keys`(robot: FxRobot) {
+        show(robot, Box(0.0, 0.0, 12.0, 8.0))
+        robot.type(KeyCode.R).clickOn(place(1.0, 1.0)).clickOn(place(11.0, 7.0))
+        robot.type(KeyCode.O).clickOn(place(5.0, 4.0)).clickOn(place(6.0, 4.0))
+        robot.type(KeyCode.V).clickOn(place(4.03, 4.2))
+        robot.push(KeyCode.CONTROL, KeyCode.K)
+        assertEquals("connect opening", window.session.undoName)
+        assertEquals(1, window.session.document.path.walks().size)
+
+        robot.push(KeyCode.SHIFT, KeyCode.F6)
+        WaitForAsyncUtils.waitFor(20, TimeUnit.SECONDS, Callable { onFx { window.session.playback != null } })
+        robot.type(KeyCode.RIGHT).type(KeyCode.RIGHT).type(KeyCode.LEFT)
+        assertEquals(1, onFx { window.session.playback!!.position })
+        robot.type(KeyCode.SPACE)
+        WaitForAsyncUtils.waitFor(20, TimeUnit.SECONDS, Callable { onFx { window.session.playback!!.position > 3 } })
+        robot.clickOn("#front-step")
+        assertFalse(onFx { window.session.playback!!.isPlaying })
+        robot.clickOn("#front-last")
+        assertEquals(0, onFx { window.session.playback!!.front.size })
+        robot.clickOn("#front-stop")
+        assertNull(onFx { window.session.playback })
+    }
+
+    @Test
+    fun `Alt held for the mouse suspends snapping and does not open the menu`(robot: FxRobot) {
+        show(robot, Box(0.0, 0.0, 12.0, 8.0))
+        robot.type(KeyCode.L).moveTo(place(2.03, 2.04)).press(KeyCode.ALT).moveTo(place(2.031, 2.041)).clickOn(MouseButton.PRIMARY).release(KeyCode.ALT)
+        robot.write("5").type(KeyCode.TAB).write("3").type(KeyCode.ENTER)
+        val line = window.session.document.path.shape(0) as Line
+        assertEquals(Point2(5.0, 3.0), line.lastPoint)
+        assertTrue(line.firstPoint != Point2(2.0, 2.0) && line.firstPoint.distanceTo(Point2(2.0, 2.0)) < 0.1)
+    }
+
+    @Test
+    fun `a picture laid behind is shown, dragged and locked`(robot: FxRobot) {
+        show(robot, Box(0.0, 0.0, 12.0, 8.0))
+        val file = folder.resolve("behind.png")
+        val red = java.awt.image.BufferedImage(60, 40, java.awt.image.BufferedImage.TYPE_INT_RGB)
+        for (x in 0 until 60) for (y in 0 until 40) red.setRGB(x, y, 0xFF0000)
+        javax.imageio.ImageIO.write(red, "png", file.toFile())
+        onFx { window.setPicture(file) }
+        show(robot, Box(0.0, 0.0, 12.0, 8.0))
+        WaitForAsyncUtils.waitFor(20, TimeUnit.SECONDS, Callable { onFx { window.session.pictureSize != null } })
+        assertTrue(colourAt(6.13, 4.13).let { it.red > 0.9 && it.green < 0.7 })
+        val before = window.session.document.picture!!.lowerLeft
+        robot.drag(place(6.0, 4.0), MouseButton.PRIMARY).dropTo(place(7.0, 4.0))
+        assertEquals(before.x + 1, window.session.document.picture!!.lowerLeft.x, 0.05)
+        robot.push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.L)
+        assertEquals("lock picture", window.session.undoName)
+        robot.drag(place(6.0, 4.0), MouseButton.PRIMARY).dropTo(place(5.0, 4.0))
+        assertEquals("lock picture", window.session.undoName)
+    }
+
+    @Test
     fun `meshing in the background is cancelled`(robot: FxRobot) {
         onFx {
             window.openCase(Gallery.HAND)
@@ -178,6 +232,14 @@ internal class EditorWindowTest {
         WaitForAsyncUtils.waitForFxEvents()
         onFx { window.canvas.fit(box) }
         robot.interact { window.canvas.requestFocus() }
+    }
+
+    private fun colourAt(x: Double, y: Double): javafx.scene.paint.Color {
+        WaitForAsyncUtils.waitForFxEvents()
+        return onFx {
+            val t = window.canvas.transform
+            window.canvas.snapshot(null, null).pixelReader.getColor(t.screenX(x).toInt(), t.screenY(y).toInt())
+        }
     }
 
     private fun place(x: Double, y: Double): javafx.geometry.Point2D {
