@@ -269,7 +269,7 @@ internal class EditorWindow(
         opened()
     }
 
-    override fun showKeys() = dialogs.inform("Keys and mouse", KeySheet.text())
+    override fun showKeys() = KeySheet(stage, menus.shortcuts()).show()
 
     override fun showAbout() = dialogs.inform(
         "TriGrid", "Triangular meshes of irregular domains by an advancing front, after H. Naji. Apache-2.0.",

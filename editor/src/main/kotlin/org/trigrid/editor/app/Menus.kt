@@ -46,6 +46,7 @@ internal class Menus(
     private val exportMesh = EditorAction("Export mesh (.msh)…", "Shortcut+E", isPossible = { session.mesh != null }) { export.mesh() }
     private val matrix = EditorAction("Matrix before and after renumbering", "F6", isPossible = { session.mesh != null }) { window.showMatrix() }
     private val all = ArrayList<EditorAction>()
+    private val keyed = LinkedHashMap<String, String>()
     private val recent = Menu("Open recent")
     private val checks = ArrayList<() -> Unit>()
 
@@ -61,6 +62,9 @@ internal class Menus(
         listOf(new, open, save, undo, redo, fit, zoomIn, zoomOut, mesh, closeLoop, reverse, connect).forEach { it.update() }
         checks.forEach { it() }
     }
+
+    /** Keys and what they do, in the order of the menus. */
+    fun shortcuts(): List<Pair<String, String>> = keyed.map { (keys, label) -> KeyCombination.valueOf(keys).displayText to label.removeSuffix("…") }
 
     fun updateRecent() {
         val items = preferences.recent.map { file -> MenuItem(file.toString()).apply { setOnAction { files.open(file) } } }
@@ -154,6 +158,7 @@ internal class Menus(
 
     private fun item(action: EditorAction): MenuItem {
         all.add(action)
+        if (action.keys.isNotEmpty()) keyed[action.keys] = action.label
         return action.menuItem()
     }
 
@@ -161,7 +166,10 @@ internal class Menus(
 
     private fun check(label: String, keys: String, isOn: () -> Boolean, set: (Boolean) -> Unit): MenuItem {
         val item = CheckMenuItem(label)
-        if (keys.isNotEmpty()) item.accelerator = KeyCombination.valueOf(keys)
+        if (keys.isNotEmpty()) {
+            item.accelerator = KeyCombination.valueOf(keys)
+            keyed[keys] = label
+        }
         item.setOnAction { set(item.isSelected) }
         checks.add { item.isSelected = isOn() }
         return item

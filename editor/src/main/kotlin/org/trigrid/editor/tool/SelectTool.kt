@@ -26,6 +26,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
     private var handle: ShapeHandle? = null
     private val lasso = ArrayList<Point2>()
     private var isOverNode = -1
+    private var isOverArrow = false
 
     override var preview: Preview = Preview.NOTHING
         private set
@@ -35,6 +36,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
     override val hint: String
         get() = when {
             drag == Drag.NODES && isOverNode >= 0 -> "Release to merge with node $isOverNode"
+            isOverArrow -> "Click the arrow to turn the shape round: what is included is left out, and the other way about"
             drag == Drag.PICTURE -> "Release to put the picture there; Esc cancels"
             drag == Drag.NODES || drag == Drag.SHAPES || drag == Drag.HANDLE -> "Release to move; Alt suspends snapping, Esc cancels"
             drag == Drag.AREA -> "Release to pick the nodes inside; Shift adds to what is picked"
@@ -56,8 +58,9 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
         handle = handles().minByOrNull { it.point.distanceTo(pressed) }?.takeIf { it.point.distanceTo(pressed) <= reach && !input.isShiftDown }
         grabbed = Picking.node(document, input.x, input.y, reach)
         val arrow = if (grabbed < 0 && handle == null) DirectionArrow.at(document, input.x, input.y, ARROW * input.pixel) else null
-        if (arrow != null && arrow.shape in host.state.selection.shapes) {
+        if (arrow != null && !input.isShiftDown) {
             drag = Drag.NONE
+            host.select(Selection.ofShape(arrow.shape))
             host.execute(ShapeCommands.reverse(setOf(arrow.shape)))
             return
         }
@@ -115,6 +118,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
     override fun move(input: PointerInput) {
         val reach = Snapper.REACH * input.pixel
         val node = Picking.node(host.state.document, input.x, input.y, reach)
+        isOverArrow = node < 0 && DirectionArrow.at(host.state.document, input.x, input.y, ARROW * input.pixel) != null
         preview = if (node < 0) Preview.NOTHING else Preview(snap = SnapPoint(host.state.document.nodes.point(node), SnapKind.NODE, node))
     }
 
