@@ -47,7 +47,8 @@ internal class EditorWindow(
     val files = FileActions(session, preferences, Autosave(Preferences.folder()), dialogs, worker) { stage }
     private val edit = EditActions(session, canvas, dialogs)
     private val picture = PictureActions(session, canvas, dialogs)
-    private val menus = Menus(session, preferences, files, edit, picture, ExportActions(session, files, canvas) { stage }, this)
+    val export = ExportActions(session, files, canvas) { stage }
+    private val menus = Menus(session, preferences, files, edit, picture, export, this)
     private val inspector = InspectorView(session)
     private val options = OptionsViewModel(session)
     private val optionFields = FieldsView { field, text -> field.change?.let { commitOption(it, field.value, text) } }
@@ -191,7 +192,7 @@ internal class EditorWindow(
         }
     }
 
-    private fun drop(file: Path) {
+    fun drop(file: Path) {
         val name = file.fileName.toString().lowercase()
         if (PICTURES.any { name.endsWith(it) }) setPicture(file) else files.open(file)
     }

@@ -1,65 +1,41 @@
 package org.trigrid.editor.app
 
+import java.nio.file.Files
+import java.util.concurrent.Callable
+import java.util.concurrent.TimeUnit
 import javafx.scene.Node
 import javafx.scene.control.Labeled
 import javafx.scene.control.TextField
 import javafx.scene.input.KeyCode
 import javafx.scene.input.MouseButton
 import javafx.stage.Stage
-import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
-import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.extension.ExtendWith
 import org.testfx.api.FxRobot
-import org.testfx.framework.junit5.ApplicationExtension
 import org.testfx.framework.junit5.Start
+import org.testfx.util.NodeQueryUtils
 import org.testfx.util.WaitForAsyncUtils
+import org.trigrid.domain.Path
 import org.trigrid.editor.canvas.Box
 import org.trigrid.editor.files.Gallery
 import org.trigrid.editor.files.Preferences
 import org.trigrid.editor.tool.ShapeKind
+import org.trigrid.geometry.Point2
 import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
 import org.trigrid.project.Project
 import org.trigrid.project.ProjectFile
-import org.trigrid.domain.Path
 import org.trigrid.shape.Circle
 import org.trigrid.shape.Line
 import org.trigrid.shape.Rectangle
-import org.trigrid.geometry.Point2
-import java.nio.file.Files
-import java.util.concurrent.Callable
-import java.util.concurrent.Executors
-import java.util.concurrent.TimeUnit
 
 /** The window with a real mouse and real keys. */
-@ExtendWith(NeedsDisplay::class, ApplicationExtension::class)
-internal class EditorWindowTest {
-    private val folder = Files.createTempDirectory("trigrid-window")
-    private lateinit var window: EditorWindow
-
+internal class EditorWindowTest : WindowFixture() {
     @Start
-    fun start(stage: Stage) {
-        System.setProperty("trigrid.home", folder.toString())
-        val preferences = Preferences(folder)
-        preferences["theme"] = "LIGHT"
-        Theme.LIGHT.apply()
-        window = EditorWindow(stage, preferences, Executors.newCachedThreadPool { Thread(it).apply { isDaemon = true } })
-        stage.show()
-        window.startDrawing()
-        window.canvas.layout()
-        window.session.selectTool()
-    }
-
-    @AfterEach
-    fun close() {
-        WaitForAsyncUtils.asyncFx { window.canvas.close() }.get()
-        Files.walk(folder).sorted(Comparator.reverseOrder()).forEach { Files.delete(it) }
-    }
+    fun start(stage: Stage) = open(stage)
 
     @Test
     fun `each shape is drawn with mouse and keys, undone and redone`(robot: FxRobot) {
@@ -222,43 +198,9 @@ internal class EditorWindowTest {
         show(robot, Box(0.0, 0.0, 12.0, 8.0))
         robot.type(KeyCode.R).clickOn(place(2.0, 2.0)).clickOn(place(6.0, 6.0))
         WaitForAsyncUtils.asyncFx { window.exit() }
-        WaitForAsyncUtils.waitFor(10, TimeUnit.SECONDS, Callable { robot.lookup("Do not save").tryQuery<Node>().isPresent })
+        WaitForAsyncUtils.waitFor(10, TimeUnit.SECONDS, Callable { robot.lookup("Cancel").match(NodeQueryUtils.isVisible()).tryQuery<Node>().isPresent })
         robot.clickOn("Cancel")
         assertTrue(window.stage.isShowing)
         assertTrue(window.stage.title.startsWith("•"))
     }
-
-    private fun show(robot: FxRobot, box: Box) {
-        WaitForAsyncUtils.waitForFxEvents()
-        onFx { window.canvas.fit(box) }
-        robot.interact { window.canvas.requestFocus() }
-    }
-
-    private fun colourAt(x: Double, y: Double): javafx.scene.paint.Color {
-        WaitForAsyncUtils.waitForFxEvents()
-        return onFx {
-            val t = window.canvas.transform
-            window.canvas.snapshot(null, null).pixelReader.getColor(t.screenX(x).toInt(), t.screenY(y).toInt())
-        }
-    }
-
-    private fun place(x: Double, y: Double): javafx.geometry.Point2D {
-        WaitForAsyncUtils.waitForFxEvents()
-        return onFx {
-            val t = window.canvas.transform
-            window.canvas.localToScreen(t.screenX(x), t.screenY(y))
-        }
-    }
-
-    private fun waitForMesh(): org.trigrid.editor.meshing.MeshView {
-        WaitForAsyncUtils.waitFor(20, TimeUnit.SECONDS, Callable { onFx { window.session.mesh != null } })
-        return assertNotNull(window.session.mesh).let { window.session.mesh!! }
-    }
-
-    private fun text(): String {
-        WaitForAsyncUtils.waitForFxEvents()
-        return ProjectFile.format(window.session.document.project)
-    }
-
-    private fun <T> onFx(action: () -> T): T = WaitForAsyncUtils.asyncFx(Callable { action() }).get()
 }
