@@ -21,6 +21,7 @@ import javafx.scene.layout.Region
 import javafx.scene.layout.StackPane
 import javafx.scene.layout.VBox
 import javafx.stage.FileChooser
+import javafx.stage.Screen
 import javafx.stage.Stage
 import org.trigrid.editor.canvas.DrawingCanvas
 import org.trigrid.editor.command.AddShapes
@@ -75,11 +76,14 @@ internal class EditorWindow(
         StackPane.setAlignment(film, Pos.BOTTOM_CENTER)
         StackPane.setMargin(film, Insets(0.0, 0.0, FILM_MARGIN, 0.0))
         welcome.managedProperty().bind(welcome.visibleProperty())
-        val scene = Scene(root, preferences.number("width") ?: WIDTH, preferences.number("height") ?: HEIGHT)
+        val screen = Screen.getPrimary().visualBounds
+        val scene = Scene(
+            root, Math.min(preferences.number("width") ?: WIDTH, screen.width), Math.min(preferences.number("height") ?: HEIGHT, screen.height),
+        )
         scene.stylesheets.add(stylesheet)
         stage.scene = scene
-        stage.minWidth = LEAST_WIDTH
-        stage.minHeight = LEAST_HEIGHT
+        stage.minWidth = Math.min(LEAST_WIDTH, screen.width)
+        stage.minHeight = Math.min(LEAST_HEIGHT, screen.height)
         KeyInput(session, canvas, edit, status::beginEntry).listenTo(scene)
         acceptDrops(scene)
         canvas.pointed = status::pointed

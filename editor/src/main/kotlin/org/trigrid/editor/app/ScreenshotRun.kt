@@ -2,6 +2,7 @@ package org.trigrid.editor.app
 
 import javafx.animation.PauseTransition
 import javafx.scene.control.TabPane
+import javafx.scene.robot.Robot
 import javafx.util.Duration
 import org.trigrid.editor.document.Selection
 import org.trigrid.editor.meshing.Colouring
@@ -17,6 +18,8 @@ import java.nio.file.Path
 internal class ScreenshotRun private constructor(private val target: Path, private val wishes: Map<String, String>) {
     fun run(window: EditorWindow) {
         val session = window.session
+        // So that nothing is shown as pointed at.
+        Robot().mouseMove(0.0, 0.0)
         window.chooseTheme(Theme.of(wishes["theme"].orEmpty()) ?: Theme.LIGHT)
         if (wishes["welcome"] == "false") window.startDrawing()
         wishes["colouring"]?.let { name ->

@@ -42,6 +42,7 @@ internal class MeshNumbers(
             val x = view.screenX(mesh.mesh.x(node))
             val y = view.screenY(mesh.mesh.y(node))
             if (x < 0 || y < 0 || x > width || y > height) continue
+            if (mesh.room(node) * view.scale < NODE_ROOM) continue
             if (left-- == 0) break
             NumberText.draw(g, node.toString(), x, y + NODE_SHIFT, colours.accent, colours.sheet)
         }
@@ -52,8 +53,8 @@ internal class MeshNumbers(
         const val ELEMENT_ROOM = 64.0
         const val MOST = 1500
 
-        /** Longest edge, in pixels, above which nodes have room for theirs. */
-        const val NODE_ROOM = 90.0
+        /** Longest edge, in pixels, of the elements about a node that has room for its number. */
+        const val NODE_ROOM = 96.0
         const val NODE_SHIFT = 11.0
     }
 }
