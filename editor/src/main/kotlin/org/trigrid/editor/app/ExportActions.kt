@@ -51,7 +51,7 @@ internal class ExportActions(
         writePng(chosen)
     }
 
-    fun writePng(file: Path): Boolean = export(file) { PngFile.write(snapshot(canvas, EXPORT_DENSITY), it) }
+    fun writePng(file: Path): Boolean = export(file) { PngFile.write(canvas.picture(EXPORT_DENSITY), it) }
 
     private fun picture(): org.trigrid.picture.Picture {
         val mesh = session.mesh

@@ -3,14 +3,17 @@ package org.trigrid.editor.canvas
 import java.nio.file.Path
 import javafx.animation.AnimationTimer
 import javafx.scene.Cursor
+import javafx.scene.SnapshotParameters
 import javafx.scene.canvas.Canvas
 import javafx.scene.image.Image
+import javafx.scene.image.WritableImage
 import javafx.scene.input.MouseButton
 import javafx.scene.input.MouseEvent
 import javafx.scene.input.ScrollEvent
 import javafx.scene.layout.Region
 import javafx.scene.paint.Color
 import javafx.scene.shape.Rectangle
+import javafx.scene.transform.Transform
 import org.trigrid.editor.document.EditorDocument
 import org.trigrid.editor.document.ShapeHandles
 import org.trigrid.editor.meshing.Colouring
@@ -154,6 +157,15 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
 
     fun zoom(factor: Double) {
         transform = transform.zoomed(factor, width / 2, height / 2)
+    }
+
+    /** What is shown, with [density] pixels to one of the window's. */
+    fun picture(density: Double): WritableImage {
+        paint()
+        meshLayer.sharpen(density)
+        val parameters = SnapshotParameters()
+        parameters.transform = Transform.scale(density, density)
+        return snapshot(parameters, null).also { redraw() }
     }
 
     fun redraw() {
