@@ -6,8 +6,8 @@ import org.trigrid.geometry.IntList
 /**
  * Notes how the front advances over a domain, and tells afterwards what the front was after any number of elements.
  *
- * Pass it to [org.trigrid.MeshGenerator.generate] as the listener; a trace serves one run. Memory is about 28 bytes an
- * element.
+ * Pass it to [org.trigrid.MeshGenerator.generate] as the listener; a trace serves one run, and one thread at a time. Memory
+ * is about 28 bytes an element.
  */
 public class FrontTrace(
     /** The domain that is meshed. */
@@ -16,6 +16,10 @@ public class FrontTrace(
     private val elements = IntList()
     private var xy: DoubleArray = domain.nodeCoordinates()
     private var nodes = domain.nodeCount
+
+    /** The front after the first [advanced] elements, from which later ones are found. */
+    private var sides = FrontSides(domain)
+    private var advanced = 0
 
     /** Elements made. */
     @get:JvmName("elementCount")
@@ -48,15 +52,21 @@ public class FrontTrace(
     public fun nodeOf(element: Int, corner: Int): Int = elements[3 * element + corner]
 
     /**
-     * The front after the first [count] elements: two nodes a side, what is still to be meshed on the side's left. Costs
-     * time in proportion to [count].
+     * The front after the first [count] elements: two nodes a side, what is still to be meshed on the side's left. To go on
+     * from the count asked for before costs time for the elements between, to go back for all [count].
      *
      * @throws IndexOutOfBoundsException if [count] is not in 0..[elementCount].
      */
     public fun frontAfter(count: Int): IntArray {
         if (count !in 0..elementCount) throw IndexOutOfBoundsException("$count is not in 0..$elementCount")
-        val sides = FrontSides(domain)
-        for (element in 0 until count) sides.advance(nodeOf(element, 0), nodeOf(element, 1), nodeOf(element, 2))
+        if (count < advanced) {
+            sides = FrontSides(domain)
+            advanced = 0
+        }
+        while (advanced < count) {
+            sides.advance(nodeOf(advanced, 0), nodeOf(advanced, 1), nodeOf(advanced, 2))
+            advanced++
+        }
         return sides.toArray()
     }
 }

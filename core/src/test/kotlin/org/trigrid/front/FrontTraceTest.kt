@@ -31,6 +31,13 @@ class FrontTraceTest {
     }
 
     @Test
+    fun `the front may be asked for in any order`() {
+        val trace = traced(plate, Strategy.ROBUST)
+        val forward = (0..trace.elementCount).map { trace.frontAfter(it) }
+        for (count in listOf(7, 3, trace.elementCount, 0, 12)) assertArrayEquals(forward[count], trace.frontAfter(count))
+    }
+
+    @Test
     fun `each element stands on a side of the front, and what it covers is the front's no more`() {
         for (strategy in Strategy.entries) {
             val trace = traced(plate, strategy)

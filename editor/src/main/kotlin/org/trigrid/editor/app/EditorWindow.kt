@@ -35,6 +35,7 @@ import org.trigrid.editor.inspector.OptionsViewModel
 import org.trigrid.editor.session.Change
 import org.trigrid.editor.session.EditorSession
 import org.trigrid.editor.session.ViewSettings
+import org.trigrid.editor.tool.SelectTool
 
 /** The window: menus, tools, the sheet, what is picked, what is wrong, how the mesh stands. */
 internal class EditorWindow(
@@ -165,7 +166,10 @@ internal class EditorWindow(
                 live.isSelected = session.isLive
                 remember()
             }
-            Change.TOOL -> canvas.requestFocus()
+            Change.TOOL -> {
+                if (session.tool !is SelectTool) welcome.isVisible = false
+                canvas.requestFocus()
+            }
             Change.PREVIEW, Change.PROBLEMS, Change.PROGRESS, Change.MESSAGE, Change.PLAYBACK -> Unit
         }
     }

@@ -132,11 +132,11 @@ internal class Menus(
         )
         return menu(
             "_View", item(fit), item(fitSelection), item(zoomIn), item(zoomOut), null,
-            check("Mesh", "F7", { view().showMesh }) { session.view = view().copy(showMesh = it) },
-            check("Nodes", "F8", { view().showNodes }) { session.view = view().copy(showNodes = it) },
-            check("Numbers", "F9", { view().showNumbers }) { session.view = view().copy(showNumbers = it) },
-            check("Directions", "", { view().showDirections }) { session.view = view().copy(showDirections = it) },
-            check("Grid", "Shortcut+G", { view().showGrid }) { session.view = view().copy(showGrid = it) }, null,
+            check("Show mesh", "F7", { view().showMesh }) { session.view = view().copy(showMesh = it) },
+            check("Show nodes", "F8", { view().showNodes }) { session.view = view().copy(showNodes = it) },
+            check("Show numbers", "F9", { view().showNumbers }) { session.view = view().copy(showNumbers = it) },
+            check("Show directions", "", { view().showDirections }) { session.view = view().copy(showDirections = it) },
+            check("Show grid", "Shortcut+G", { view().showGrid }) { session.view = view().copy(showGrid = it) }, null,
             item("Problems", "F4") { window.toggleProblems() }, theme,
         )
     }
