@@ -1,6 +1,7 @@
 package org.trigrid.project
 
 import org.trigrid.MeshOptions
+import org.trigrid.diagnostics.Fault
 import org.trigrid.domain.Domain
 import org.trigrid.domain.OpeningConnection
 import org.trigrid.domain.Path
@@ -48,6 +49,12 @@ public class Project private constructor(builder: Builder) {
      * @throws org.trigrid.diagnostics.InvalidDomainException if a walk of the path is not closed.
      */
     public fun toDomain(): Domain = outline().make(keepsConnectors, regionName)
+
+    /**
+     * All that is wrong, while a drawing is not finished as well: walks that are not closed, and with them lines that cross,
+     * touch or lie on one another; else the faults of the domain.
+     */
+    public fun faults(): List<Fault> = outline().faults(keepsConnectors)
 
     /** Numbers of the path's walks that are openings and stand by themselves, joined to nothing by a connector; ascending. */
     public fun openings(): IntArray {
