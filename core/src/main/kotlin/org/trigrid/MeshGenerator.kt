@@ -8,6 +8,7 @@ import org.trigrid.diagnostics.Stage
 import org.trigrid.diagnostics.TooManyElementsException
 import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
+import org.trigrid.front.FrontListener
 import org.trigrid.front.FrontMesher
 import org.trigrid.improve.MeshImprovement
 import org.trigrid.mesh.MeshFreezer
@@ -46,9 +47,18 @@ public object MeshGenerator {
      */
     @JvmStatic
     public fun generate(domain: Domain, options: MeshOptions, monitor: ProgressMonitor): MeshResult =
-        generate(domain, options, StageClock(monitor))
+        run(domain, options, StageClock(monitor), null)
 
-    internal fun generate(domain: Domain, options: MeshOptions, run: StageClock): MeshResult {
+    /**
+     * As the other; the mesh is the same.
+     *
+     * @param listener hears of each element as the front makes it, before the mesh is improved and renumbered.
+     */
+    @JvmStatic
+    public fun generate(domain: Domain, options: MeshOptions, monitor: ProgressMonitor, listener: FrontListener): MeshResult =
+        run(domain, options, StageClock(monitor), listener)
+
+    internal fun run(domain: Domain, options: MeshOptions, run: StageClock, listener: FrontListener?): MeshResult {
         run.begin(Stage.CHECK)
         val faults = DomainCheck.check(domain, Checkpoint(run, Stage.CHECK))
         if (faults.isNotEmpty()) throw InvalidDomainException(faults)
@@ -64,7 +74,7 @@ public object MeshGenerator {
         if (refusal != null) throw TooManyElementsException(refusal)
 
         run.begin(Stage.FRONT)
-        val raw = FrontMesher.mesh(domain, sizes, options.strategy, expected, run)
+        val raw = FrontMesher.mesh(domain, sizes, options.strategy, expected, run, listener)
 
         run.begin(Stage.IMPROVE)
         if (options.improve) {

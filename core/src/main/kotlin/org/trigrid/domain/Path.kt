@@ -20,7 +20,7 @@ import org.trigrid.shape.Shape
  */
 public class Path private constructor(internal val steps: List<PathStep>) {
     private val replay: PathReplay by lazy(LazyThreadSafetyMode.PUBLICATION) { PathReplay(steps) }
-    private val appended: List<AppendStep> = steps.filterIsInstance<AppendStep>()
+    private val appended: List<ShapeStep> = steps.filterIsInstance<ShapeStep>()
 
     /** Appends a shape. @throws org.trigrid.diagnostics.InvalidShapeException if it cannot be exploded. */
     public fun append(shape: Shape): Path = plus(AppendStep(shape, false))
@@ -60,10 +60,16 @@ public class Path private constructor(internal val steps: List<PathStep>) {
     public val shapeCount: Int get() = appended.size
 
     /** The shape with the given number, 0-based in the order of appending. */
-    public fun shape(shape: Int): Shape = appended[shape].shape
+    public fun shape(shape: Int): Shape {
+        val step = appended[shape]
+        return if (step is ConnectStep) replay.connectors[shape] ?: step.shape else step.shape
+    }
 
     /** Whether the shape is a connector. */
     public fun isConnector(shape: Int): Boolean = appended[shape].isConnector
+
+    /** Whether the shape is a connector made by [connect], whose ends stay at their nodes. */
+    public fun joinsWalks(shape: Int): Boolean = appended[shape] is ConnectStep
 
     /** Whether the shape's nodes are as it was exploded: none was moved, deleted or inserted. */
     public fun isLinked(shape: Int): Boolean = replay.touched.none { shape in it }
@@ -81,10 +87,20 @@ public class Path private constructor(internal val steps: List<PathStep>) {
         return nodes.toIntArray()
     }
 
-    /** Another shape in place of one; edits of that one's nodes are dropped. */
+    /**
+     * Another shape in place of one; edits of that one's nodes are dropped. Of a connector made by [connect] spacing and name
+     * change, its ends stay at their nodes.
+     *
+     * @throws IllegalArgumentException if something else than a line is to take the place of such a connector.
+     */
     public fun replaceShape(shape: Int, by: Shape): Path {
         val index = indexOf(shape)
-        val step = AppendStep(by, appended[shape].isConnector)
+        val old = appended[shape]
+        if (old is ConnectStep) {
+            require(by is Line) { "a connector is a line" }
+            return Path(PathHistory.withoutEdits(steps, replay, shape, mapOf(index to ConnectStep(by, old.from, old.to, old.isTurned))))
+        }
+        val step = AppendStep(by, old.isConnector)
         return Path(PathHistory.withoutEdits(steps, replay, shape, mapOf(index to step)))
     }
 
@@ -139,10 +155,60 @@ public class Path private constructor(internal val steps: List<PathStep>) {
      */
     public fun moveNode(node: Int, x: Double, y: Double): Path {
         requireNumbers(x, y)
-        val move = MoveStep(key(node), x, y)
+        val move = MoveStep(key(node), x, y, false)
         val last = steps.lastOrNull()
         val replacesLast = last is MoveStep && last.node == move.node && steps.size - 1 !in replay.merging
         return if (replacesLast) Path(steps.dropLast(1) + move) else plus(move)
+    }
+
+    /**
+     * Moves several nodes at once. One moved onto a node that stays, or onto the new place of another, merges with it as
+     * with [moveNode]; the old places of nodes that move are free, so that nodes may change places.
+     *
+     * @param nodes which ones, each once.
+     * @param xy their new places: x0, y0, x1, y1, …
+     * @throws IndexOutOfBoundsException if there is no such node.
+     * @throws IllegalArgumentException if there are not two coordinates for each node, or one is not a number.
+     */
+    public fun moveNodes(nodes: IntArray, xy: DoubleArray): Path {
+        require(xy.size == 2 * nodes.size) { "${nodes.size} nodes need ${2 * nodes.size} coordinates, not ${xy.size}" }
+        for (i in nodes.indices) requireNumbers(xy[2 * i], xy[2 * i + 1])
+        return if (nodes.isEmpty()) this else Path(NodeMoves(steps, replay, nodes.map { key(it) }, xy).steps())
+    }
+
+    /**
+     * Travels the closed walk that passes a node the other way round; of several walks there the first. What a walk that came
+     * off another bounds is left out where it was included, and the other way about.
+     *
+     * @throws IllegalArgumentException if no closed walk passes the node.
+     */
+    public fun turnWalk(node: Int): Path {
+        val path = plus(TurnStep(key(node)))
+        require(path.replay.undone.isEmpty()) { "no closed walk passes node $node" }
+        return path
+    }
+
+    /**
+     * Joins two walks by a connector from a node of one to a node of the other, travelled there and back: where the first
+     * passes [from] it goes round the second, which keeps what it bounds in or out of the domain as it was. The connector
+     * is a shape of its own, the last one; without it ([removeShape]) the walks are apart again.
+     *
+     * @param spacing wanted distance of the connector's nodes.
+     * @throws IllegalArgumentException if the nodes are on one walk, or that of [to] is not closed.
+     * @throws org.trigrid.diagnostics.InvalidShapeException if the connector cannot be exploded.
+     */
+    public fun connect(from: Int, to: Int, spacing: Double): Path {
+        val walks = walks()
+        return connect(from, to, spacing, PathDomain(nodeCoordinates(), walks).turnedGroups())
+    }
+
+    /** @param turned groups of walks that run against the direction which they have in the domain. */
+    internal fun connect(from: Int, to: Int, spacing: Double, turned: Set<Int>): Path {
+        val line = Line(node(from), node(to), spacing)
+        val isTurned = (groupOf(from) in turned) != (groupOf(to) in turned)
+        val path = plus(ConnectStep(line, key(from), key(to), isTurned))
+        require(path.replay.undone.isEmpty()) { "nodes $from and $to are not on two walks, the second of them closed" }
+        return path
     }
 
     /** Deletes a node; its neighbours are joined by a straight step, later numbers fall by one. */
@@ -178,6 +244,11 @@ public class Path private constructor(internal val steps: List<PathStep>) {
      */
     public fun toDomain(keepConnectors: Boolean, regionName: String): Domain =
         PathDomain(nodeCoordinates(), walks()).make(keepConnectors, regionName)
+
+    private fun groupOf(node: Int): Int {
+        val wanted = replay.nodes[node]
+        return replay.walks.firstOrNull { wanted in it.nodes }?.group ?: -1
+    }
 
     private fun plus(step: PathStep): Path = Path(steps + step)
 

@@ -5,7 +5,7 @@ import org.trigrid.diagnostics.FaultKind
 import org.trigrid.diagnostics.InvalidDomainException
 
 /** Makes a [Domain] of a path's nodes and walks. */
-internal class PathDomain(private val xy: DoubleArray, private val walks: List<PathWalk>) {
+internal class PathDomain(val xy: DoubleArray, val walks: List<PathWalk>) {
     private val nodes = walks.map { it.nodes() }
 
     fun make(keepConnectors: Boolean, regionName: String): Domain {
@@ -20,8 +20,30 @@ internal class PathDomain(private val xy: DoubleArray, private val walks: List<P
         return Domain.fromWalks(xy, directed, directedTags, numbers.keys.toList(), regionName, keepConnectors)
     }
 
+    /** Walks that are not closed, and faults of the lines as they are, whatever they will bound. */
+    fun faults(keepConnectors: Boolean): List<Fault> {
+        val open = openWalks()
+        if (open.isEmpty()) return DomainCheck.check(make(keepConnectors, ""))
+        val loops = walks.filter { it.isClosed || it.stepCount > 1 }.map { if (it.isClosed) it else closed(it) }
+        if (loops.isEmpty()) return open
+        val domain = PathDomain(xy, loops).make(keepConnectors, "")
+        val ends = open.map { it.nodes().map { node -> place(node) } }
+        return open + DomainCheck.check(domain).filter { fault ->
+            val places = fault.nodes().map { "(${domain.x(it)}, ${domain.y(it)})" }
+            fault.kind in OF_LINES && ends.none { places.containsAll(it) }
+        }
+    }
+
+    private fun closed(walk: PathWalk): PathWalk {
+        val steps = 0 until walk.stepCount
+        val tags = steps.map { walk.tag(it) }
+        return PathWalk(walk.nodes(), tags + tags.last(), IntArray(walk.stepCount + 1) { if (it in steps) walk.shape(it) else -1 }, true, walk.group)
+    }
+
+    private fun openWalks(): List<Fault> = walks.indices.filter { !walks[it].isClosed }.map { openWalk(nodes[it]) }
+
     private fun requireClosed() {
-        val faults = walks.indices.filter { !walks[it].isClosed }.map { openWalk(nodes[it]) }
+        val faults = openWalks()
         if (faults.isNotEmpty()) throw InvalidDomainException(faults)
     }
 
@@ -39,7 +61,7 @@ internal class PathDomain(private val xy: DoubleArray, private val walks: List<P
      * taken anticlockwise, or clockwise where it lies inside an odd number of others. Walks that came off one walk keep
      * their directions to each other, which say what is in and what is out.
      */
-    private fun turnedGroups(): Set<Int> {
+    fun turnedGroups(): Set<Int> {
         val groups = walks.indices.groupBy { walks[it].group }
         val nesting = LoopNesting(xy, nodes)
         val turned = HashSet<Int>()
@@ -65,5 +87,13 @@ internal class PathDomain(private val xy: DoubleArray, private val walks: List<P
     private fun turnedTags(tags: IntArray): IntArray {
         val n = tags.size
         return IntArray(n) { tags[(2 * n - 2 - it) % n] }
+    }
+
+    private companion object {
+        /** Faults that do not depend on what is closed by which segment. */
+        val OF_LINES = setOf(
+            FaultKind.NOT_A_NUMBER, FaultKind.CROSSING, FaultKind.TOUCHING, FaultKind.DUPLICATE_NODE, FaultKind.ZERO_LENGTH,
+            FaultKind.SPIKE, FaultKind.OVERLAP,
+        )
     }
 }

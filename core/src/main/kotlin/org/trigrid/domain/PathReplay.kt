@@ -1,5 +1,7 @@
 package org.trigrid.domain
 
+import org.trigrid.geometry.Point2
+import org.trigrid.shape.Line
 import org.trigrid.shape.Shape
 
 /** A node of the path under construction. */
@@ -37,6 +39,9 @@ internal class PathReplay(steps: List<PathStep>) {
     /** Moves that put a node onto another. */
     val merging: HashSet<Int> = HashSet()
 
+    /** Connectors between walks by their shapes' numbers, with the ends that they have. */
+    val connectors: HashMap<Int, Line> = HashMap()
+
     private val byKey = HashMap<NodeKey, PathNode>()
     private val byPlace = HashMap<Place, PathNode>()
     private val openConnectors = ArrayList<Int>()
@@ -47,10 +52,15 @@ internal class PathReplay(steps: List<PathStep>) {
         for ((i, step) in steps.withIndex()) {
             val done = when (step) {
                 is AppendStep -> append(step)
+                is ConnectStep -> connect(step)
                 is BackStep -> goBack()
                 is NewLoopStep -> startLoop()
-                is MoveStep -> move(i, step)
+                is MoveStep -> {
+                    if ((steps.getOrNull(i - 1) as? MoveStep)?.isWithNext != true) lift(steps, i)
+                    move(i, step)
+                }
                 is DeleteStep -> delete(i, step)
+                is TurnStep -> turn(step)
                 is InsertStep -> insert(i, step)
             }
             if (!done) undone.add(i)
@@ -134,7 +144,56 @@ internal class PathReplay(steps: List<PathStep>) {
         return true
     }
 
+    private fun connect(step: ConnectStep): Boolean {
+        val shape = shapeCount++
+        val from = byKey[step.from] ?: return false
+        val to = byKey[step.to] ?: return false
+        val walk = allWalks().firstOrNull { from in it.nodes } ?: return false
+        val opening = allWalks().firstOrNull { it !== walk && it.isClosed && to in it.nodes } ?: return false
+        if (to in walk.nodes || opening === current && openConnectors.isNotEmpty()) return false
+        val line = step.line.withEnds(Point2(from.x, from.y), Point2(to.x, to.y))
+        connectors[shape] = line
+        walk.detour(wayOf(line, shape, from, to), PathLeg(shape, tagOf(line)), opening.begunAt(to, step.isTurned))
+        takeIn(opening, walk, step.isTurned)
+        return true
+    }
+
+    /** The connector's nodes from one end to the other. */
+    private fun wayOf(line: Line, shape: Int, from: PathNode, to: PathNode): List<PathNode> {
+        val xy = line.explode()
+        val last = xy.size / 2 - 1
+        return List(last + 1) { k ->
+            val node = if (k == 0) from else if (k == last) to else nodeAt(xy[2 * k], xy[2 * k + 1], NodeKey(shape, k))
+            node.also { know(it, NodeKey(shape, k)) }
+        }
+    }
+
+    /** [opening] is part of [walk] now; what had come off it keeps its direction to it. */
+    private fun takeIn(opening: PathTrace, walk: PathTrace, isTurned: Boolean) {
+        val isCurrent = opening === current || walk === current
+        if (isCurrent) walks.add(current)
+        walks.removeIf { it === opening }
+        for ((i, other) in walks.withIndex()) {
+            if (other.group != opening.group || other === walk || walk.group == opening.group) continue
+            walks[i] = if (isTurned && other.isClosed) other.begunAt(other.nodes.first(), true) else other
+            walks[i].group = walk.group
+        }
+        if (isCurrent) {
+            walks.removeIf { it === walk }
+            current = walk
+        }
+    }
+
     private fun allWalks(): List<PathTrace> = walks + current
+
+    /** Takes nodes that are moved at the same time off their places, so that those are free for one another. */
+    private fun lift(steps: List<PathStep>, first: Int) {
+        var i = first
+        do {
+            val move = steps[i++] as MoveStep
+            byKey[move.node]?.let { byPlace.remove(Place(it.x, it.y), it) }
+        } while (move.isWithNext && steps.getOrNull(i) is MoveStep)
+    }
 
     private fun move(step: Int, move: MoveStep): Boolean {
         val node = byKey[move.node] ?: return false
@@ -176,6 +235,13 @@ internal class PathReplay(steps: List<PathStep>) {
         for (key in node.keys) byKey.remove(key)
         for (walk in allWalks()) walk.remove(node)
         walks.removeIf { it.nodes.isEmpty() }
+        return true
+    }
+
+    private fun turn(step: TurnStep): Boolean {
+        val node = byKey[step.node] ?: return false
+        val walk = allWalks().firstOrNull { it.isClosed && node in it.nodes } ?: return false
+        walk.turn()
         return true
     }
 

@@ -1,12 +1,20 @@
 package org.trigrid.domain
 
+import org.trigrid.shape.Line
 import org.trigrid.shape.Shape
 
 /** One step of a path's history; replayed in order by [PathReplay], the steps make the path's nodes and walks. */
 internal sealed interface PathStep
 
+/** A step that adds a shape; the shapes of a path are numbered by these steps. */
+internal sealed interface ShapeStep : PathStep {
+    val shape: Shape
+
+    val isConnector: Boolean
+}
+
 /** A shape, exploded, appended to the end. */
-internal class AppendStep(val shape: Shape, val isConnector: Boolean) : PathStep {
+internal class AppendStep(override val shape: Shape, override val isConnector: Boolean) : ShapeStep {
     /** x0, y0, x1, y1, …; not modified. */
     val nodes: DoubleArray = shape.explode()
 }
@@ -17,21 +25,49 @@ internal object BackStep : PathStep
 /** The walk ends; the next shape begins another. */
 internal object NewLoopStep : PathStep
 
-/** A change of single nodes, named by where they came from so that it outlives changes of other shapes. */
-internal sealed interface EditStep : PathStep {
-    fun mapped(map: (NodeKey) -> NodeKey): EditStep
+/** A step that names nodes by where they came from, so that it outlives changes of other shapes. */
+internal sealed interface KeyedStep : PathStep {
+    fun mapped(map: (NodeKey) -> NodeKey): PathStep
 
     fun keys(): List<NodeKey>
 }
 
-internal class MoveStep(val node: NodeKey, val x: Double, val y: Double) : EditStep {
-    override fun mapped(map: (NodeKey) -> NodeKey): EditStep = MoveStep(map(node), x, y)
+/**
+ * A connector between two walks, travelled where the first passes node [from]: to node [to] of the second, round that
+ * one and back.
+ *
+ * @param line gives spacing and name; its ends are where the two nodes are.
+ * @param isTurned whether the second walk is travelled against the direction that it had.
+ */
+internal class ConnectStep(val line: Line, val from: NodeKey, val to: NodeKey, val isTurned: Boolean) : ShapeStep, KeyedStep {
+    override val shape: Shape get() = line
+
+    override val isConnector: Boolean get() = true
+
+    override fun mapped(map: (NodeKey) -> NodeKey): PathStep = ConnectStep(line, map(from), map(to), isTurned)
+
+    override fun keys(): List<NodeKey> = listOf(from, to)
+}
+
+/** A change of single nodes. */
+internal sealed interface EditStep : KeyedStep
+
+/** @param isWithNext whether the move that follows happens at the same time, so that neither is in the other's way. */
+internal class MoveStep(val node: NodeKey, val x: Double, val y: Double, val isWithNext: Boolean) : EditStep {
+    override fun mapped(map: (NodeKey) -> NodeKey): EditStep = MoveStep(map(node), x, y, isWithNext)
 
     override fun keys(): List<NodeKey> = listOf(node)
 }
 
 internal class DeleteStep(val node: NodeKey) : EditStep {
     override fun mapped(map: (NodeKey) -> NodeKey): EditStep = DeleteStep(map(node))
+
+    override fun keys(): List<NodeKey> = listOf(node)
+}
+
+/** The closed walk that passes a node is travelled the other way round. */
+internal class TurnStep(val node: NodeKey) : EditStep {
+    override fun mapped(map: (NodeKey) -> NodeKey): EditStep = TurnStep(map(node))
 
     override fun keys(): List<NodeKey> = listOf(node)
 }

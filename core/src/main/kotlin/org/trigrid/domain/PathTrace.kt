@@ -5,7 +5,7 @@ package org.trigrid.domain
  *
  * @param group number of the loop that it is, or came off.
  */
-internal class PathTrace(val group: Int) {
+internal class PathTrace(var group: Int) {
     val nodes: ArrayList<PathNode> = ArrayList()
     val legs: ArrayList<PathLeg> = ArrayList()
 
@@ -60,6 +60,31 @@ internal class PathTrace(val group: Int) {
             legs.add(i, legs[i])
             shapes.add(legs[i].shape)
         }
+    }
+
+    /** The same closed walk begun at [node], one of its nodes, and travelled backwards if asked to. */
+    fun begunAt(node: PathNode, isTurned: Boolean): PathTrace {
+        val count = legs.size
+        val begin = nodes.indexOf(node)
+        val walk = PathTrace(group)
+        for (i in 0..count) walk.nodes.add(nodes[(begin + i) % count])
+        for (i in 0 until count) walk.legs.add(legs[(begin + i) % count])
+        if (isTurned) walk.turn()
+        return walk
+    }
+
+    /** Travels the walk the other way round. */
+    fun turn() {
+        nodes.reverse()
+        legs.reverse()
+    }
+
+    /** Goes, where it first passes the first node of [way], along that, round [loop], which begins at its end, and back. */
+    fun detour(way: List<PathNode>, leg: PathLeg, loop: PathTrace) {
+        val at = nodes.indexOf(way.first())
+        val along = List(way.size - 1) { leg }
+        nodes.addAll(at + 1, way.drop(1) + loop.nodes.drop(1) + way.reversed().drop(1))
+        legs.addAll(at, along + loop.legs + along)
     }
 
     /**

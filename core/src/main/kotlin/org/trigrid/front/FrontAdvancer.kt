@@ -8,6 +8,10 @@ package org.trigrid.front
  * edge refused too often takes the constrained-Delaunay way out, which a valid front always has.
  */
 internal abstract class FrontAdvancer(protected val state: FrontState, keyCount: Int, private val ticker: FrontTicker) {
+    /** Hears of every element; null for nobody. */
+    var listener: FrontListener? = null
+    private var told = 0
+
     @JvmField protected val mesh = state.mesh
 
     @JvmField protected val front = state.front
@@ -36,11 +40,21 @@ internal abstract class FrontAdvancer(protected val state: FrontState, keyCount:
         while (true) {
             val edge = queue.peek()
             if (edge < 0) return
-            if (!tryEdge(edge)) {
+            if (tryEdge(edge)) {
+                if (listener != null) tell()
+            } else {
                 front.fails[edge]++
                 requeue(edge)
             }
             ticker.tick(mesh.elementCount)
+        }
+    }
+
+    private fun tell() {
+        while (told < mesh.elementCount) {
+            val at = 3 * told++
+            val c = mesh.elements[at + 2]
+            listener?.elementMade(mesh.elements[at], mesh.elements[at + 1], c, mesh.xy[2 * c], mesh.xy[2 * c + 1])
         }
     }
 

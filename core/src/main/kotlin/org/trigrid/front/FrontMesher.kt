@@ -12,6 +12,7 @@ internal object FrontMesher {
     /**
      * @param expectedElements estimate that sizes the arrays, the progress and the bound on the work.
      * @param monitor hears the stage FRONT from 0 to 1.
+     * @param listener hears of every element, or null.
      */
     fun mesh(
         domain: Domain,
@@ -19,6 +20,7 @@ internal object FrontMesher {
         strategy: Strategy,
         expectedElements: Double,
         monitor: ProgressMonitor,
+        listener: FrontListener? = null,
     ): FrontResult {
         val state = FrontState(domain, sizes, expectedElements, Checkpoint(monitor, Stage.FRONT))
         val ticker = FrontTicker(monitor, expectedElements)
@@ -26,6 +28,7 @@ internal object FrontMesher {
             Strategy.CLASSIC -> ClassicAdvancer(domain, state, ticker)
             Strategy.ROBUST -> RobustAdvancer(state, ticker)
         }
+        advancer.listener = listener
         advancer.run()
         return FrontResult(state.mesh, advancer.fallbacks)
     }

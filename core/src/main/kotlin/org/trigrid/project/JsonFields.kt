@@ -17,6 +17,9 @@ internal class JsonFields(private val value: JsonValue, private val what: String
         return key in members
     }
 
+    /** All keys, in the order of the file. */
+    fun keys(): List<String> = members.keys.toList()
+
     fun any(key: String): JsonValue {
         if (!has(key)) value.fail("$what lacks the key \"$key\"")
         return members.getValue(key)

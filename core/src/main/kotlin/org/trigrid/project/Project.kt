@@ -1,7 +1,9 @@
 package org.trigrid.project
 
 import org.trigrid.MeshOptions
+import org.trigrid.diagnostics.Fault
 import org.trigrid.domain.Domain
+import org.trigrid.domain.OpeningConnection
 import org.trigrid.domain.Path
 import org.trigrid.domain.PathDomain
 import org.trigrid.domain.PathWalk
@@ -33,12 +35,50 @@ public class Project private constructor(builder: Builder) {
     @get:JvmName("keepsConnectors")
     public val keepsConnectors: Boolean = builder.keepsConnectors
 
+    /** The picture that the drawing is traced from, or null; it does not bear upon the mesh. */
+    @get:JvmName("background")
+    public val background: Background? = builder.background
+
+    /** Colours of boundary groups and the region by name, `#rrggbb`, in the order in which they were given. */
+    @get:JvmName("colours")
+    public val colours: Map<String, String> = java.util.Collections.unmodifiableMap(LinkedHashMap(builder.colours))
+
     /**
      * The domain that path and loops bound.
      *
      * @throws org.trigrid.diagnostics.InvalidDomainException if a walk of the path is not closed.
      */
-    public fun toDomain(): Domain {
+    public fun toDomain(): Domain = outline().make(keepsConnectors, regionName)
+
+    /**
+     * All that is wrong, while a drawing is not finished as well: walks that are not closed, and with them lines that cross,
+     * touch or lie on one another; else the faults of the domain.
+     */
+    public fun faults(): List<Fault> = outline().faults(keepsConnectors)
+
+    /** Numbers of the path's walks that are openings and stand by themselves, joined to nothing by a connector; ascending. */
+    public fun openings(): IntArray {
+        val outline = outline()
+        return OpeningConnection(outline.xy, outline.walks, path.walks().size).openings()
+    }
+
+    /**
+     * Joins an opening to the path by a connector along the shortest line between their nodes that meets nothing else.
+     *
+     * @param walk one of [openings].
+     * @param spacing wanted distance of the connector's nodes.
+     * @throws IllegalArgumentException if the walk is no opening of its own, or every line to the path meets something.
+     * @throws org.trigrid.diagnostics.InvalidShapeException if the connector cannot be exploded.
+     */
+    public fun connectOpening(walk: Int, spacing: Double): Project {
+        val outline = outline()
+        val connection = OpeningConnection(outline.xy, outline.walks, path.walks().size)
+        require(walk in connection.openings()) { "walk $walk is no opening that stands by itself" }
+        val line = requireNotNull(connection.lineTo(walk)) { "no straight line from the path to opening $walk is free" }
+        return toBuilder().path(path.connect(line[0], line[1], spacing, outline.turnedGroups())).build()
+    }
+
+    private fun outline(): PathDomain {
         val places = PlaceIndex(path.nodeCount)
         for (node in path.nodes()) places.numberOf(node.x, node.y)
         val walks = ArrayList(path.walks())
@@ -46,12 +86,12 @@ public class Project private constructor(builder: Builder) {
             val numbers = IntArray(loop.nodeCount) { places.numberOf(loop.x(it), loop.y(it)) }
             walks.add(PathWalk(numbers, loop.segmentTags, IntArray(numbers.size) { -1 }, true, -1 - k))
         }
-        return PathDomain(places.toArray(), walks).make(keepsConnectors, regionName)
+        return PathDomain(places.toArray(), walks)
     }
 
     /** A builder that starts from this project. */
     public fun toBuilder(): Builder = Builder().path(path).loops(loops).options(options).defaults(defaults)
-        .regionName(regionName).keepConnectors(keepsConnectors)
+        .regionName(regionName).keepConnectors(keepsConnectors).background(background).colours(colours)
 
     /** Collects the parts of a project; the same builder may build several times. */
     public class Builder internal constructor() {
@@ -61,6 +101,8 @@ public class Project private constructor(builder: Builder) {
         internal var defaults = ShapeDefaults.STANDARD
         internal var regionName = "domain"
         internal var keepsConnectors = false
+        internal var background: Background? = null
+        internal var colours: Map<String, String> = emptyMap()
 
         /** Sets [Project.path]. */
         public fun path(value: Path): Builder = apply { path = value }
@@ -80,11 +122,28 @@ public class Project private constructor(builder: Builder) {
         /** Sets [Project.keepsConnectors]. */
         public fun keepConnectors(value: Boolean): Builder = apply { keepsConnectors = value }
 
+        /** Sets [Project.background]; null for none. */
+        public fun background(value: Background?): Builder = apply { background = value }
+
+        /**
+         * Sets [Project.colours].
+         *
+         * @throws IllegalArgumentException if one is not of the form `#rrggbb`.
+         */
+        public fun colours(value: Map<String, String>): Builder = apply {
+            for ((name, colour) in value) {
+                require(COLOUR.matches(colour)) { "the colour of \"$name\" must be of the form #rrggbb, not $colour" }
+            }
+            colours = value
+        }
+
         /** The project as it is now. */
         public fun build(): Project = Project(this)
     }
 
     public companion object {
+        private val COLOUR = Regex("#[0-9a-fA-F]{6}")
+
         /** Starts from an empty project. */
         @JvmStatic
         public fun builder(): Builder = Builder()

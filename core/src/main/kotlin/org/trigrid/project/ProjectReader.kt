@@ -4,14 +4,16 @@ import org.trigrid.MeshOptions
 import org.trigrid.diagnostics.InvalidShapeException
 import org.trigrid.domain.AppendStep
 import org.trigrid.domain.BackStep
+import org.trigrid.domain.ConnectStep
 import org.trigrid.domain.DeleteStep
-import org.trigrid.domain.EditStep
 import org.trigrid.domain.InsertStep
+import org.trigrid.domain.KeyedStep
 import org.trigrid.domain.MoveStep
 import org.trigrid.domain.NewLoopStep
 import org.trigrid.domain.NodeKey
 import org.trigrid.domain.Path
 import org.trigrid.domain.PathStep
+import org.trigrid.domain.TurnStep
 import org.trigrid.front.Strategy
 import org.trigrid.io.JsonDocument
 import org.trigrid.numbering.NumberingMethod
@@ -35,6 +37,8 @@ internal object ProjectReader {
         if (fields.has("mesh")) builder.options(options(fields.any("mesh")))
         if (fields.has("path")) builder.path(path(fields.items("path"), builder.defaults))
         if (fields.has("loops")) builder.loops(fields.items("loops").map { loop(it) })
+        if (fields.has("colours")) builder.colours(colours(fields.any("colours")))
+        if (fields.has("background")) builder.background(background(fields.any("background")))
         fields.end()
         return builder.build()
     }
@@ -90,7 +94,7 @@ internal object ProjectReader {
         val path = Path.ofSteps(items.map { step(it, defaults) })
         val undone = path.undoneSteps().firstOrNull() ?: return path
         val reason = when (val step = path.steps[undone]) {
-            is EditStep -> "there is no such node at this step: ${step.keys().joinToString(" or ")}"
+            is KeyedStep -> "there is no such node at this step: ${step.keys().joinToString(" or ")}"
             else -> "there is no connector to travel back at this step"
         }
         items[undone].fail(reason)
@@ -101,7 +105,9 @@ internal object ProjectReader {
         val step = when (val type = fields.string("type")) {
             "back" -> BackStep
             "new-loop" -> NewLoopStep
-            "move" -> fields.point("to").let { MoveStep(node(fields, "node"), it.x, it.y) }
+            "move" -> fields.point("to").let { MoveStep(node(fields, "node"), it.x, it.y, fields.boolean("withNext", false)) }
+            "connect" -> connect(fields, defaults)
+            "turn" -> TurnStep(node(fields, "node"))
             "delete" -> DeleteStep(node(fields, "node"))
             "insert" -> fields.point("at").let {
                 InsertStep(node(fields, "node"), node(fields, "from"), node(fields, "to"), it.x, it.y)
@@ -110,6 +116,30 @@ internal object ProjectReader {
         }
         fields.end()
         return step
+    }
+
+    private fun connect(fields: JsonFields, defaults: ShapeDefaults): ConnectStep {
+        val line = ShapeReader(fields, defaults).connection()
+        return ConnectStep(line, node(fields, "from"), node(fields, "to"), fields.boolean("turned", false))
+    }
+
+    private fun colours(value: JsonValue): Map<String, String> {
+        val fields = JsonFields(value, "colours")
+        val colours = LinkedHashMap<String, String>()
+        for (name in fields.keys()) colours[name] = fields.string(name)
+        return checked(fields) { Project.builder().colours(colours).let { colours } }
+    }
+
+    private fun background(value: JsonValue): Background {
+        val fields = JsonFields(value, "background")
+        val file = fields.string("file")
+        val corner = fields.point("lowerLeft")
+        val pixel = fields.number("pixelSize")
+        val turn = fields.number("rotationDegrees", 0.0)
+        val opacity = fields.number("opacity", Background.USUAL_OPACITY)
+        val isLocked = fields.boolean("locked", true)
+        fields.end()
+        return checked(fields) { Background(file, corner, pixel, turn, opacity, isLocked) }
     }
 
     private fun append(type: String, fields: JsonFields, defaults: ShapeDefaults): AppendStep = try {

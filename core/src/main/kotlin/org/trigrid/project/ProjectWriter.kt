@@ -11,12 +11,14 @@ import kotlinx.serialization.json.put
 import org.trigrid.MeshOptions
 import org.trigrid.domain.AppendStep
 import org.trigrid.domain.BackStep
+import org.trigrid.domain.ConnectStep
 import org.trigrid.domain.DeleteStep
 import org.trigrid.domain.InsertStep
 import org.trigrid.domain.MoveStep
 import org.trigrid.domain.NewLoopStep
 import org.trigrid.domain.Path
 import org.trigrid.domain.PathStep
+import org.trigrid.domain.TurnStep
 import org.trigrid.geometry.Point2
 import org.trigrid.shape.Arc
 import org.trigrid.shape.Circle
@@ -41,6 +43,17 @@ internal class ProjectWriter(private val project: Project) {
         put("mesh", options(project.options))
         put("path", JsonArray(project.path.steps.map { step(it) }))
         if (project.loops.isNotEmpty()) put("loops", JsonArray(project.loops.map { loop(it) }))
+        if (project.colours.isNotEmpty()) put("colours", buildJsonObject { project.colours.forEach { (name, colour) -> put(name, colour) } })
+        project.background?.let { put("background", background(it)) }
+    }
+
+    private fun background(background: Background) = buildJsonObject {
+        put("file", background.file)
+        put("lowerLeft", point(background.lowerLeft))
+        put("pixelSize", number(background.pixelSize))
+        put("rotationDegrees", number(background.rotationDegrees))
+        put("opacity", number(background.opacity))
+        put("locked", background.isLocked)
     }
 
     private fun defaults(defaults: ShapeDefaults) = buildJsonObject {
@@ -67,12 +80,25 @@ internal class ProjectWriter(private val project: Project) {
     private fun step(step: PathStep): JsonObject = buildJsonObject {
         when (step) {
             is AppendStep -> append(step)
+            is ConnectStep -> {
+                put("type", "connect")
+                put("from", step.from.toString())
+                put("to", step.to.toString())
+                if (step.isTurned) put("turned", true)
+                if (step.line.name.isNotEmpty()) put("name", step.line.name)
+                settings(step.line)
+            }
             is BackStep -> put("type", "back")
             is NewLoopStep -> put("type", "new-loop")
             is MoveStep -> {
                 put("type", "move")
                 put("node", step.node.toString())
                 put("to", point(Point2(step.x, step.y)))
+                if (step.isWithNext) put("withNext", true)
+            }
+            is TurnStep -> {
+                put("type", "turn")
+                put("node", step.node.toString())
             }
             is DeleteStep -> {
                 put("type", "delete")
@@ -93,6 +119,10 @@ internal class ProjectWriter(private val project: Project) {
         put("type", if (step.isConnector) ProjectReader.CONNECTOR else shape.traits.kind)
         if (shape.name.isNotEmpty()) put("name", shape.name)
         geometry(shape)
+        settings(shape)
+    }
+
+    private fun JsonObjectBuilder.settings(shape: Shape) {
         val defaults = project.defaults
         if (shape.spacing != defaults.spacing) put("spacing", number(shape.spacing))
         if (shape.ratio != defaults.ratio) put("ratio", number(shape.ratio))

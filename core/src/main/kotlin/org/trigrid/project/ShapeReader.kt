@@ -31,6 +31,9 @@ internal class ShapeReader(private val fields: JsonFields, private val defaults:
         else -> null
     }
 
+    /** The connector between two walks, whose ends are where its nodes are. */
+    fun connection(): Line = Line(Point2(0.0, 0.0), Point2(1.0, 0.0), traits("line"))
+
     private fun traits(kind: String) = Traits(
         kind,
         fields.number("spacing", defaults.spacing),

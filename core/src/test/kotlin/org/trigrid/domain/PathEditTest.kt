@@ -35,6 +35,21 @@ class PathEditTest {
     }
 
     @Test
+    fun `a walk that came off can be turned round`() {
+        val bowtie = Path.of(Lines.of(9.0, 0.0, 0.0, 2.0, 2.0, 2.0, 0.0, 0.0, 2.0, 0.0, 0.0))
+        val split = bowtie.insertNode(0, 1, 1.0, 1.0).insertNode(3, 4, 1.0, 1.0)
+        assertEquals(2, split.walks().size)
+        assertEquals(1, DomainCheck.check(split.toDomain()).size)
+        val own = split.walks()[1].nodes().first { it !in split.walks()[0].nodes() }
+        val turned = split.turnWalk(own)
+        assertTrue(DomainCheck.check(turned.toDomain()).isEmpty())
+        assertEquals(2.0, turned.toDomain().area)
+        assertEquals(split.walks()[1].nodes().toSet(), turned.walks()[1].nodes().toSet())
+        assertTrue(turned.isLinked(0) == split.isLinked(0))
+        assertThrows(IllegalArgumentException::class.java) { Path.of(Line(0.0, 0.0, 1.0, 0.0, 1.0)).turnWalk(0) }
+    }
+
+    @Test
     fun `dragging a node is one step of the history`() {
         var path = square
         for (i in 1..100) path = path.moveNode(1, 1.0, -i / 100.0)

@@ -57,6 +57,8 @@ class ProjectFileTest {
             val options = MeshOptions.builder().gradation(random.nextDouble() + 0.01).sizes(Sizes.GRADE).improve(false)
                 .minSize(random.nextDouble()).maxSize(1 + random.nextDouble()).strategy(Strategy.CLASSIC)
                 .numbering(NumberingMethod.CUTHILL_MCKEE).smoothingTolerance(random.nextDouble() + 0.001).maxElements(7)
+            val closed = path.walks().lastOrNull { it.isClosed }?.nodes()
+            if (closed != null) path = path.turnWalk(closed[0]).moveNodes(intArrayOf(closed[0], closed[1]), doubleArrayOf(5.0, 6.0, 7.0, 8.0))
             val project = Project.builder().path(path).options(options.build()).regionName("ring \"é\" \\ \uD83D\uDE00")
                 .keepConnectors(true).defaults(ShapeDefaults(0.3, 2.0, Distribution.GEOMETRIC, Rounding.CEILING))
                 .loops(listOf(NodeLoop(doubleArrayOf(0.0, 0.0, random.nextDouble(), 0.0, 0.0, 1.0), listOf("a", "b", "c")))).build()

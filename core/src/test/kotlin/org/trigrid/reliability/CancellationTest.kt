@@ -50,7 +50,7 @@ class CancellationTest {
         val coarse = MeshOptions.builder().sizes(Sizes.GRADE).gradation(1.0).build()
         for ((domain, options) in listOf(square to MeshOptions.DEFAULT, ring to coarse, sieve to MeshOptions.DEFAULT)) {
             val counter = Counter()
-            val report = MeshGenerator.generate(domain, options, StageClock(counter, 0)).report
+            val report = MeshGenerator.run(domain, options, StageClock(counter, 0), null).report
             val work = mapOf(
                 Stage.CHECK to report.boundaryNodeCount, Stage.SIZES to report.boundaryNodeCount,
                 Stage.FRONT to report.elementCount, Stage.IMPROVE to report.elementCount, Stage.RENUMBER to report.elementCount,
@@ -70,11 +70,11 @@ class CancellationTest {
         val domain = Domain.of(RandomLoops.ring(200))
         for (strategy in Strategy.entries) {
             val options = MeshOptions.builder().strategy(strategy).build()
-            val whole = Counter().also { MeshGenerator.generate(domain, options, StageClock(it, 0)) }.count
+            val whole = Counter().also { MeshGenerator.run(domain, options, StageClock(it, 0), null) }.count
             assertTrue(whole > 2 * Stage.entries.size) { "$whole questions" }
             for (last in 1..whole step Math.max(1, whole / 60)) {
                 val counter = Counter(last)
-                assertThrows<MeshingCancelledException> { MeshGenerator.generate(domain, options, StageClock(counter, 0)) }
+                assertThrows<MeshingCancelledException> { MeshGenerator.run(domain, options, StageClock(counter, 0), null) }
                 assertEquals(last, counter.count)
             }
         }
@@ -99,7 +99,7 @@ class CancellationTest {
         val quick = options.toBuilder().improve(false).numbering(NumberingMethod.NONE).build()
         for (chosen in listOf(options, quick)) {
             val counter = Counter()
-            MeshGenerator.generate(domain, chosen, StageClock(counter, 0))
+            MeshGenerator.run(domain, chosen, StageClock(counter, 0), null)
             assertEquals(0.0, counter.fell) { "${family.name} $seed" }
             assertEquals(1.0, counter.fraction)
             assertEquals(Stage.entries, counter.stages.toList())

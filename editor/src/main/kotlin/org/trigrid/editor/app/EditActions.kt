@@ -4,10 +4,9 @@ import javafx.scene.input.Clipboard
 import javafx.scene.input.ClipboardContent
 import org.trigrid.editor.canvas.DrawingCanvas
 import org.trigrid.editor.command.AddShapes
+import org.trigrid.editor.command.ConnectOpenings
 import org.trigrid.editor.command.DeleteSelection
-import org.trigrid.editor.command.ProjectCommands
 import org.trigrid.editor.command.TransformSelection
-import org.trigrid.editor.document.BackgroundPicture
 import org.trigrid.editor.document.Selection
 import org.trigrid.editor.session.Clip
 import org.trigrid.editor.session.EditorSession
@@ -16,9 +15,8 @@ import org.trigrid.editor.tool.Grid
 import org.trigrid.editor.tool.TwoPointTool
 import org.trigrid.geometry.Point2
 import org.trigrid.shape.Similarity
-import java.nio.file.Path
 
-/** Copy and paste, mirror, turn, scale and repeat; the picture behind. */
+/** Copy and paste, mirror, turn, scale and repeat; connect, find and measure. */
 internal class EditActions(private val session: EditorSession, private val canvas: DrawingCanvas, private val dialogs: Dialogs) {
     private val clip: Clip get() = Clip.of(session.document, session.selection)
 
@@ -82,6 +80,17 @@ internal class EditActions(private val session: EditorSession, private val canva
         session.execute(AddShapes(copies.flatMap { it.shapes }, copies.flatMap { it.loops }, "array"))
     }
 
+    /** Joins the openings that are picked, or all where nothing is. */
+    fun connectOpenings() {
+        val document = session.document
+        val openings = ConnectOpenings.of(document, session.selection)
+        when {
+            openings.isNotEmpty() -> if (session.execute(ConnectOpenings(openings))) session.say("Connected")
+            session.selection.isEmpty -> session.say("There is no opening without a connector", true)
+            else -> session.say("What is picked is no opening without a connector", true)
+        }
+    }
+
     fun findNode() {
         val number = dialogs.askForNumbers("Find node", listOf("Number" to "0"))?.first()?.toInt() ?: return
         val nodes = session.document.nodes
@@ -96,48 +105,6 @@ internal class EditActions(private val session: EditorSession, private val canva
             session.say("From ${place(a)} to ${place(b)}: length ${Figures.length(a.distanceTo(b))}")
         },
     )
-
-    /** Lays a picture behind the drawing, as wide as what is seen. */
-    fun setPicture(file: Path, width: Double) {
-        val view = canvas.transform
-        val factor = canvas.width * view.pixel / width.coerceAtLeast(1.0)
-        val corner = Point2(view.left, view.domainY(canvas.height))
-        val placement = Similarity.scaling(Point2(0.0, 0.0), factor).then(Similarity.translation(corner.x, corner.y))
-        session.execute(ProjectCommands.picture("set picture", BackgroundPicture(file, placement)))
-    }
-
-    fun scalePicture() {
-        val picture = session.document.picture ?: return session.say("Set a background picture first", true)
-        session.use(
-            TwoPointTool(session, "Scale picture", "Click a point of the picture", "Click another one whose distance you know") { a, b ->
-                session.selectTool()
-                val distance = dialogs.askForNumbers("Distance of the two points", listOf("Distance" to Figures.length(a.distanceTo(b))))?.first()
-                if (distance != null && distance > 0) {
-                    session.execute(ProjectCommands.picture("scale picture", picture.scaledTo(a, b, distance)))
-                }
-            },
-        )
-    }
-
-    fun movePicture() {
-        val picture = session.document.picture ?: return session.say("Set a background picture first", true)
-        session.use(
-            TwoPointTool(session, "Move picture", "Click a point of the picture", "Click where it belongs") { a, b ->
-                session.selectTool()
-                val moved = picture.withPlacement(picture.placement.then(Similarity.translation(b.x - a.x, b.y - a.y)))
-                session.execute(ProjectCommands.picture("move picture", moved))
-            },
-        )
-    }
-
-    fun fadePicture(change: Double) {
-        val picture = session.document.picture ?: return session.say("Set a background picture first", true)
-        session.execute(ProjectCommands.picture("fade picture", picture.withOpacity(picture.opacity + change), "fade picture"))
-    }
-
-    fun removePicture() {
-        if (session.document.picture != null) session.execute(ProjectCommands.picture("remove picture", null))
-    }
 
     private fun add(what: Clip, by: Similarity, name: String) {
         val moved = what.moved(by)

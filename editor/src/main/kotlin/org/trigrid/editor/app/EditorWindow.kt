@@ -1,6 +1,9 @@
 package org.trigrid.editor.app
 
+import java.nio.file.Path
+import java.util.concurrent.ExecutorService
 import javafx.application.Platform
+import javafx.geometry.Insets
 import javafx.geometry.Orientation
 import javafx.geometry.Pos
 import javafx.scene.Scene
@@ -18,6 +21,7 @@ import javafx.scene.layout.Region
 import javafx.scene.layout.StackPane
 import javafx.scene.layout.VBox
 import javafx.stage.FileChooser
+import javafx.stage.Screen
 import javafx.stage.Stage
 import org.trigrid.editor.canvas.DrawingCanvas
 import org.trigrid.editor.command.AddShapes
@@ -31,8 +35,7 @@ import org.trigrid.editor.inspector.OptionsViewModel
 import org.trigrid.editor.session.Change
 import org.trigrid.editor.session.EditorSession
 import org.trigrid.editor.session.ViewSettings
-import java.nio.file.Path
-import java.util.concurrent.ExecutorService
+import org.trigrid.editor.tool.SelectTool
 
 /** The window: menus, tools, the sheet, what is picked, what is wrong, how the mesh stands. */
 internal class EditorWindow(
@@ -45,7 +48,9 @@ internal class EditorWindow(
     private val dialogs = Dialogs { stage }
     val files = FileActions(session, preferences, Autosave(Preferences.folder()), dialogs, worker) { stage }
     private val edit = EditActions(session, canvas, dialogs)
-    private val menus = Menus(session, preferences, files, edit, ExportActions(session, files, canvas) { stage }, this)
+    private val picture = PictureActions(session, canvas, dialogs)
+    val export = ExportActions(session, files, canvas) { stage }
+    private val menus = Menus(session, preferences, files, edit, picture, export, this)
     private val inspector = InspectorView(session)
     private val options = OptionsViewModel(session)
     private val optionFields = FieldsView { field, text -> field.change?.let { commitOption(it, field.value, text) } }
@@ -59,7 +64,8 @@ internal class EditorWindow(
     private val welcome = WelcomeView(
         preferences, worker, Platform::runLater, { theme }, files::open, ::openCase, files::open, ::startDrawing,
     )
-    private val centre = StackPane(canvas, welcome)
+    private val film = FrontBar(session)
+    private val centre = StackPane(canvas, film, welcome)
 
     init {
         root.top = VBox(menus.bar(), toolBar())
@@ -68,12 +74,17 @@ internal class EditorWindow(
         root.right = side()
         root.bottom = status
         StackPane.setAlignment(welcome, Pos.CENTER)
+        StackPane.setAlignment(film, Pos.BOTTOM_CENTER)
+        StackPane.setMargin(film, Insets(0.0, 0.0, FILM_MARGIN, 0.0))
         welcome.managedProperty().bind(welcome.visibleProperty())
-        val scene = Scene(root, preferences.number("width") ?: WIDTH, preferences.number("height") ?: HEIGHT)
+        val screen = Screen.getPrimary().visualBounds
+        val scene = Scene(
+            root, Math.min(preferences.number("width") ?: WIDTH, screen.width), Math.min(preferences.number("height") ?: HEIGHT, screen.height),
+        )
         scene.stylesheets.add(stylesheet)
         stage.scene = scene
-        stage.minWidth = LEAST_WIDTH
-        stage.minHeight = LEAST_HEIGHT
+        stage.minWidth = Math.min(LEAST_WIDTH, screen.width)
+        stage.minHeight = Math.min(LEAST_HEIGHT, screen.height)
         KeyInput(session, canvas, edit, status::beginEntry).listenTo(scene)
         acceptDrops(scene)
         canvas.pointed = status::pointed
@@ -107,7 +118,7 @@ internal class EditorWindow(
             menus.new.button(), menus.open.button(), menus.save.button(), bar(),
             menus.undo.button(), menus.redo.button(), bar(),
             menus.zoomIn.button(), menus.zoomOut.button(), menus.fit.button(), bar(),
-            menus.closeLoop.button(), menus.reverse.button(), bar(), mesh, live,
+            menus.closeLoop.button(), menus.reverse.button(), menus.connect.button(), bar(), mesh, live,
         )
     }
 
@@ -155,8 +166,11 @@ internal class EditorWindow(
                 live.isSelected = session.isLive
                 remember()
             }
-            Change.TOOL -> canvas.requestFocus()
-            Change.PREVIEW, Change.PROBLEMS, Change.PROGRESS, Change.MESSAGE -> Unit
+            Change.TOOL -> {
+                if (session.tool !is SelectTool) welcome.isVisible = false
+                canvas.requestFocus()
+            }
+            Change.PREVIEW, Change.PROBLEMS, Change.PROGRESS, Change.MESSAGE, Change.PLAYBACK -> Unit
         }
     }
 
@@ -186,16 +200,16 @@ internal class EditorWindow(
         }
     }
 
-    private fun drop(file: Path) {
+    fun drop(file: Path) {
         val name = file.fileName.toString().lowercase()
         if (PICTURES.any { name.endsWith(it) }) setPicture(file) else files.open(file)
     }
 
-    private fun setPicture(file: Path) {
+    fun setPicture(file: Path) {
         val image = javafx.scene.image.Image(file.toUri().toString())
         if (image.isError) return dialogs.tell("$file cannot be shown", "It is no PNG or JPEG picture.")
         welcome.isVisible = false
-        edit.setPicture(file, image.width)
+        picture.set(file, image.width)
     }
 
     // What menus and buttons ask for
@@ -232,6 +246,8 @@ internal class EditorWindow(
         canvas.colours = theme.colours
         inspector.ink = theme.colours.text
         meshPanel.ink = theme.colours.text
+        options.palette = theme.colours.palette
+        optionFields.show(options.sections)
         welcome.refresh()
     }
 
@@ -262,7 +278,7 @@ internal class EditorWindow(
         opened()
     }
 
-    override fun showKeys() = dialogs.inform("Keys and mouse", KeySheet.text())
+    override fun showKeys() = KeySheet(stage, menus.shortcuts()).show()
 
     override fun showAbout() = dialogs.inform(
         "TriGrid", "Triangular meshes of irregular domains by an advancing front, after H. Naji. Apache-2.0.",
@@ -316,6 +332,7 @@ internal class EditorWindow(
         private const val HEIGHT = 820.0
         private const val LEAST_WIDTH = 760.0
         private const val LEAST_HEIGHT = 520.0
+        private const val FILM_MARGIN = 14.0
         private val PICTURES = listOf(".png", ".jpg", ".jpeg", ".gif", ".bmp")
 
         val stylesheet: String = EditorWindow::class.java.getResource("editor.css")!!.toExternalForm()

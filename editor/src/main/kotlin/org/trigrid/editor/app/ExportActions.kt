@@ -29,21 +29,31 @@ internal class ExportActions(
         chooser.initialFileName = baseName() + ".msh"
         val chosen = chooser.showSaveDialog(window())?.toPath() ?: return
         val format = if (chooser.selectedExtensionFilter == version41) MeshFormat.MSH_41 else MeshFormat.MSH_22
-        export(ended(chosen, ".msh")) { MeshFormats.write(mesh.mesh, it, format) }
+        writeMesh(ended(chosen, ".msh"), format)
+    }
+
+    /** @return whether it was written, as of all below. */
+    fun writeMesh(file: Path, format: MeshFormat): Boolean {
+        val mesh = session.mesh ?: return false
+        return export(file) { MeshFormats.write(mesh.mesh, it, format) }
     }
 
     fun svg() {
         val chosen = choose("Export as SVG", "SVG picture", ".svg") ?: return
-        export(chosen) { picture()?.writeSvg(it) }
+        writeSvg(chosen)
     }
+
+    fun writeSvg(file: Path): Boolean = export(file) { picture().writeSvg(it) }
 
     /** What the window shows. */
     fun png() {
         val chosen = choose("Export what is shown as PNG", "PNG picture", ".png") ?: return
-        export(chosen) { PngFile.write(snapshot(canvas, EXPORT_DENSITY), it) }
+        writePng(chosen)
     }
 
-    private fun picture(): org.trigrid.picture.Picture? {
+    fun writePng(file: Path): Boolean = export(file) { PngFile.write(canvas.picture(EXPORT_DENSITY), it) }
+
+    private fun picture(): org.trigrid.picture.Picture {
         val mesh = session.mesh
         val options = PictureOptions.builder().quality(session.view.colouring != Colouring.NONE).build()
         if (mesh != null && session.view.showMesh) return Pictures.mesh(mesh.mesh, options)
@@ -61,8 +71,10 @@ internal class ExportActions(
         return chooser.showSaveDialog(window())?.toPath()?.let { ended(it, ending) }
     }
 
-    private fun export(file: Path, write: (Path) -> Unit) {
-        if (files.attempt("$file cannot be written") { write(file) }) session.say("Wrote ${file.fileName}")
+    private fun export(file: Path, write: (Path) -> Unit): Boolean {
+        val isWritten = files.attempt("$file cannot be written") { write(file) }
+        if (isWritten) session.say("Wrote ${file.fileName}")
+        return isWritten
     }
 
     private fun ended(file: Path, ending: String): Path =

@@ -57,6 +57,7 @@ internal class FileActions(
     }
 
     fun show(file: Path) = attempt("$file cannot be opened") {
+        if (!file.exists()) preferences.forget(file)
         val read = DocumentFile.read(file)
         val recovered = if (read.isProject) autosave.recovered(file) else null
         if (recovered != null && dialogs.askToRecover(file.fileName.toString())) {

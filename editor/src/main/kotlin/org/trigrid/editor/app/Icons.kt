@@ -33,6 +33,13 @@ internal enum class Icons(private val lines: String, private val solid: String =
     REVERSE("M4 7 H15 L12 4 M16 13 H5 L8 16"),
     GRID("M3.5 3.5 H16.5 V16.5 H3.5 Z M3.5 8 H16.5 M3.5 12 H16.5 M8 3.5 V16.5 M12 3.5 V16.5"),
     MAGNET("M5 3.5 V10 A5 5 0 0 0 15 10 V3.5 H11.5 V10 A1.5 1.5 0 0 1 8.5 10 V3.5 Z M5 6.5 H8.5 M11.5 6.5 H15"),
+    PLAY("M6 4 L15.5 10 L6 16 Z"),
+    PAUSE("M7 4.5 V15.5 M13 4.5 V15.5"),
+    STEP("M6 4.5 L12.5 10 L6 15.5 Z M15 4.5 V15.5"),
+    STEP_BACK("M14 4.5 L7.5 10 L14 15.5 Z M5 4.5 V15.5"),
+    FIRST("M16 5 L10.5 10 L16 15 M10 5 L4.5 10 L10 15"),
+    LAST("M4 5 L9.5 10 L4 15 M10 5 L15.5 10 L10 15"),
+    CONNECT("M4 10 A3 3 0 1 0 4 9.9 M16 3 V17 M10 10 H12 M14 10 H16", dots(16.0, 10.0)),
     CANCEL("M5.5 5.5 L14.5 14.5 M14.5 5.5 L5.5 14.5"),
     ;
 

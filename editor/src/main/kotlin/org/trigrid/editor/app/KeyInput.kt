@@ -4,6 +4,7 @@ import javafx.scene.Scene
 import javafx.scene.control.TextInputControl
 import javafx.scene.input.KeyCode
 import javafx.scene.input.KeyEvent
+import javafx.scene.input.MouseEvent
 import org.trigrid.editor.canvas.DrawingCanvas
 import org.trigrid.editor.command.TransformSelection
 import org.trigrid.editor.session.EditorSession
@@ -18,12 +19,23 @@ internal class KeyInput(
     private val edit: EditActions,
     private val beginEntry: (String) -> Unit,
 ) {
+    /** Whether Alt is held for the mouse, to suspend snapping, and so must not open the menu when it is let go. */
+    private var isAltForMouse = false
+
     fun listenTo(scene: Scene) {
         scene.addEventFilter(KeyEvent.KEY_PRESSED) { event ->
             val isTyping = scene.focusOwner is TextInputControl
             if (!isTyping && isDrawing(scene) && pressed(event)) event.consume()
         }
-        scene.addEventFilter(KeyEvent.KEY_RELEASED) { if (it.code == KeyCode.SPACE) canvas.isPanning = false }
+        scene.addEventFilter(KeyEvent.KEY_RELEASED) { event ->
+            if (event.code == KeyCode.SPACE) canvas.isPanning = false
+            if (event.code == KeyCode.ALT && isAltForMouse) {
+                isAltForMouse = false
+                event.consume()
+            }
+        }
+        scene.addEventFilter(KeyEvent.KEY_PRESSED) { if (it.code != KeyCode.ALT) isAltForMouse = false }
+        scene.addEventFilter(MouseEvent.ANY) { isAltForMouse = it.isAltDown || isAltForMouse && it.eventType == MouseEvent.MOUSE_EXITED_TARGET }
         scene.addEventFilter(KeyEvent.KEY_TYPED) { event ->
             val first = event.character
             val begins = first.length == 1 && (first[0].isDigit() || first[0] in "@.-+")
@@ -39,6 +51,7 @@ internal class KeyInput(
 
     private fun pressed(event: KeyEvent): Boolean {
         if (event.isShortcutDown || event.isMetaDown) return false
+        if (session.playback != null && played(event.code)) return true
         return when (event.code) {
             KeyCode.ENTER -> told { it.enter() }
             KeyCode.BACK_SPACE -> told { it.backspace() } || deleted()
@@ -52,6 +65,20 @@ internal class KeyInput(
             KeyCode.V -> true.also { session.selectTool(event.isShiftDown) }
             else -> drawn(event)
         }
+    }
+
+    /** The keys of the film of the front. */
+    private fun played(code: KeyCode): Boolean {
+        when (code) {
+            KeyCode.SPACE -> session.withPlayback { it.toggle() }
+            KeyCode.RIGHT -> session.withPlayback { it.step(1) }
+            KeyCode.LEFT -> session.withPlayback { it.step(-1) }
+            KeyCode.HOME -> session.withPlayback { it.goTo(0) }
+            KeyCode.END -> session.withPlayback { it.goTo(it.length) }
+            KeyCode.ESCAPE -> session.stopPlayback()
+            else -> return false
+        }
+        return true
     }
 
     private fun told(tell: (org.trigrid.editor.tool.Tool) -> Boolean): Boolean {

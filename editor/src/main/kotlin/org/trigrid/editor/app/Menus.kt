@@ -19,6 +19,7 @@ internal class Menus(
     private val preferences: Preferences,
     private val files: FileActions,
     private val edit: EditActions,
+    private val picture: PictureActions,
     private val export: ExportActions,
     private val window: WindowActions,
 ) {
@@ -41,14 +42,16 @@ internal class Menus(
     val reverse = EditorAction("Reverse direction", "Shortcut+R", Icons.REVERSE, isPossible = { session.selection.shapes.isNotEmpty() }) {
         session.execute(ShapeCommands.reverse(session.selection.shapes))
     }
+    val connect = EditorAction("Connect opening", "Shortcut+K", Icons.CONNECT) { edit.connectOpenings() }
     private val exportMesh = EditorAction("Export mesh (.msh)…", "Shortcut+E", isPossible = { session.mesh != null }) { export.mesh() }
     private val matrix = EditorAction("Matrix before and after renumbering", "F6", isPossible = { session.mesh != null }) { window.showMatrix() }
     private val all = ArrayList<EditorAction>()
+    private val keyed = LinkedHashMap<String, String>()
     private val recent = Menu("Open recent")
     private val checks = ArrayList<() -> Unit>()
 
     fun bar(): MenuBar {
-        val bar = MenuBar(fileMenu(), editMenu(), drawMenu(), viewMenu(), meshMenu(), helpMenu())
+        val bar = MenuBar(fileMenu(), editMenu(), drawMenu(), pictureMenu(), viewMenu(), meshMenu(), helpMenu())
         bar.isUseSystemMenuBar = true
         return bar
     }
@@ -56,9 +59,12 @@ internal class Menus(
     /** Brings names and marks up to date. */
     fun update() {
         all.forEach { it.update() }
-        listOf(new, open, save, undo, redo, fit, zoomIn, zoomOut, mesh, closeLoop, reverse).forEach { it.update() }
+        listOf(new, open, save, undo, redo, fit, zoomIn, zoomOut, mesh, closeLoop, reverse, connect).forEach { it.update() }
         checks.forEach { it() }
     }
+
+    /** Keys and what they do, in the order of the menus. */
+    fun shortcuts(): List<Pair<String, String>> = keyed.map { (keys, label) -> KeyCombination.valueOf(keys).displayText to label.removeSuffix("…") }
 
     fun updateRecent() {
         val items = preferences.recent.map { file -> MenuItem(file.toString()).apply { setOnAction { files.open(file) } } }
@@ -95,16 +101,25 @@ internal class Menus(
     private fun drawMenu(): Menu {
         val kinds = ShapeKind.entries.map { kind -> MenuItem("${kind.label}    ${kind.key}").apply { setOnAction { session.draw(kind) } } }
         val menu = menu(
-            "_Draw", null, item(closeLoop),
+            "_Draw", null, item(closeLoop), item(connect),
             item("Go back along connector", "Shortcut+B") { session.execute(ShapeCommands.goBack()) },
             item("Begin new loop", "Shortcut+Shift+N") { session.execute(ShapeCommands.beginLoop()) },
-            item("Measure", "Shortcut+Shift+M") { edit.measure() }, null,
-            item("Background picture…") { window.choosePicture() }, item("Scale picture by two points") { edit.scalePicture() },
-            item("Move picture") { edit.movePicture() }, item("Picture stronger") { edit.fadePicture(FADE) },
-            item("Picture weaker") { edit.fadePicture(-FADE) }, item("Remove picture") { edit.removePicture() },
+            item("Measure", "Shortcut+Shift+M") { edit.measure() },
         )
         menu.items.addAll(0, kinds)
         return menu
+    }
+
+    private fun pictureMenu(): Menu {
+        val onPicture = { label: String, keys: String, run: () -> Unit -> item(EditorAction(label, keys, isPossible = { picture.isThere }, run = run)) }
+        return menu(
+            "_Picture", item("Choose a picture to trace…", "Shortcut+Shift+P") { window.choosePicture() }, null,
+            onPicture("Scale by two points", "") { picture.scale() }, onPicture("Move", "") { picture.move() },
+            onPicture("Rotate by two points", "") { picture.rotate() }, null,
+            onPicture("Stronger", "Shortcut+Shift+Up") { picture.fade(FADE) }, onPicture("Weaker", "Shortcut+Shift+Down") { picture.fade(-FADE) },
+            check("Locked", "Shortcut+Shift+L", { picture.isLocked }) { picture.lock(it) }, null,
+            onPicture("Remove", "") { picture.remove() },
+        )
     }
 
     private fun viewMenu(): Menu {
@@ -117,18 +132,19 @@ internal class Menus(
         )
         return menu(
             "_View", item(fit), item(fitSelection), item(zoomIn), item(zoomOut), null,
-            check("Mesh", "F7", { view().showMesh }) { session.view = view().copy(showMesh = it) },
-            check("Nodes", "F8", { view().showNodes }) { session.view = view().copy(showNodes = it) },
-            check("Numbers", "F9", { view().showNumbers }) { session.view = view().copy(showNumbers = it) },
-            check("Directions", "", { view().showDirections }) { session.view = view().copy(showDirections = it) },
-            check("Grid", "Shortcut+G", { view().showGrid }) { session.view = view().copy(showGrid = it) }, null,
+            check("Show mesh", "F7", { view().showMesh }) { session.view = view().copy(showMesh = it) },
+            check("Show nodes", "F8", { view().showNodes }) { session.view = view().copy(showNodes = it) },
+            check("Show numbers", "F9", { view().showNumbers }) { session.view = view().copy(showNumbers = it) },
+            check("Show directions", "", { view().showDirections }) { session.view = view().copy(showDirections = it) },
+            check("Show grid", "Shortcut+G", { view().showGrid }) { session.view = view().copy(showGrid = it) }, null,
             item("Problems", "F4") { window.toggleProblems() }, theme,
         )
     }
 
     private fun meshMenu(): Menu = menu(
         "_Mesh", item(mesh), check("Mesh while editing", "Shift+F5", { session.isLive }) { session.isLive = it },
-        item("Cancel") { session.cancelMeshing() }, item("Clear mesh") { session.clearMesh() }, null, item(matrix), null, item(exportMesh),
+        item("Cancel") { session.cancelMeshing() }, item("Clear mesh") { session.clearMesh() }, null,
+        item("Play the front", "Shift+F6") { session.playFront() }, item(matrix), null, item(exportMesh),
     )
 
     private fun helpMenu(): Menu = menu("_Help", item("Keys and mouse", "F1") { window.showKeys() }, item("About TriGrid") { window.showAbout() })
@@ -142,6 +158,7 @@ internal class Menus(
 
     private fun item(action: EditorAction): MenuItem {
         all.add(action)
+        if (action.keys.isNotEmpty()) keyed[action.keys] = action.label
         return action.menuItem()
     }
 
@@ -149,7 +166,10 @@ internal class Menus(
 
     private fun check(label: String, keys: String, isOn: () -> Boolean, set: (Boolean) -> Unit): MenuItem {
         val item = CheckMenuItem(label)
-        if (keys.isNotEmpty()) item.accelerator = KeyCombination.valueOf(keys)
+        if (keys.isNotEmpty()) {
+            item.accelerator = KeyCombination.valueOf(keys)
+            keyed[keys] = label
+        }
         item.setOnAction { set(item.isSelected) }
         checks.add { item.isSelected = isOn() }
         return item

@@ -2,6 +2,7 @@ package org.trigrid.editor.app
 
 import javafx.animation.PauseTransition
 import javafx.scene.control.TabPane
+import javafx.scene.robot.Robot
 import javafx.util.Duration
 import org.trigrid.editor.document.Selection
 import org.trigrid.editor.meshing.Colouring
@@ -12,11 +13,13 @@ import java.nio.file.Path
  * For the documentation: brings the window into a state, writes what it looks like to a file and ends the program.
  *
  * `--screenshot=FILE`, and as wanted `--theme=dark`, `--mesh=true`, `--colouring=quality`, `--pick=SHAPE`, `--tab=N`,
- * `--problems=true`, `--matrix=true`, `--welcome=false`.
+ * `--problems=true`, `--matrix=true`, `--film=ELEMENTS`, `--welcome=false`.
  */
 internal class ScreenshotRun private constructor(private val target: Path, private val wishes: Map<String, String>) {
     fun run(window: EditorWindow) {
         val session = window.session
+        // So that nothing is shown as pointed at.
+        Robot().mouseMove(0.0, 0.0)
         window.chooseTheme(Theme.of(wishes["theme"].orEmpty()) ?: Theme.LIGHT)
         if (wishes["welcome"] == "false") window.startDrawing()
         wishes["colouring"]?.let { name ->
@@ -25,6 +28,7 @@ internal class ScreenshotRun private constructor(private val target: Path, priva
         wishes["pick"]?.let { session.select(Selection.ofShape(it.toInt())) }
         wishes["tab"]?.let { (window.stage.scene.lookup(".tab-pane") as TabPane).selectionModel.select(it.toInt()) }
         if (wishes["problems"] == "true") window.toggleProblems()
+        wishes["film"]?.let { return film(window, it.toInt()) }
         if (wishes["mesh"] != "true") return later { shoot(window) }
         session.listen {
             if (it == Change.MESH && session.mesh != null) {
@@ -32,6 +36,19 @@ internal class ScreenshotRun private constructor(private val target: Path, priva
             }
         }
         session.generate()
+    }
+
+    /** The front after a number of elements. */
+    private fun film(window: EditorWindow, elements: Int) {
+        val session = window.session
+        session.listen {
+            val film = session.playback
+            if (it == Change.PLAYBACK && film != null && film.position == 0) {
+                session.withPlayback { played -> played.goTo(elements) }
+                later { shoot(window) }
+            }
+        }
+        session.playFront()
     }
 
     private fun matrix(window: EditorWindow) {

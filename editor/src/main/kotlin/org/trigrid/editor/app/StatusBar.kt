@@ -6,6 +6,7 @@ import javafx.scene.control.ProgressBar
 import javafx.scene.control.TextField
 import javafx.scene.control.Tooltip
 import javafx.scene.input.KeyCode
+import javafx.scene.input.KeyEvent
 import javafx.scene.layout.HBox
 import javafx.scene.layout.Priority
 import javafx.scene.layout.Region
@@ -43,9 +44,15 @@ internal class StatusBar(private val session: EditorSession, private val showPro
         entry.promptText = "3,4   @1,0   @2<30"
         entry.prefColumnCount = 13
         entry.styleClass.add("coordinate-entry")
-        entry.tooltip = Tooltip("Type a place at any moment: 3,4 as it stands, @1,0 from the last point, @2<30 by length and angle")
+        entry.tooltip = Tooltip("Type a place at any moment, Tab goes to its second number: 3,4 as it stands, @1,0 from the last point, @2<30 by length and angle")
         entry.setOnAction { submit() }
-        entry.setOnKeyPressed {
+        // A filter, since Tab would leave the field before its handler is asked.
+        entry.addEventFilter(KeyEvent.KEY_PRESSED) {
+            if (it.code == KeyCode.TAB && !it.isShiftDown && CoordinateEntry.awaitsSecond(entry.text)) {
+                entry.text = CoordinateEntry.withSeparator(entry.text)
+                entry.positionCaret(entry.text.length)
+                it.consume()
+            }
             if (it.code == KeyCode.ESCAPE) {
                 entry.clear()
                 toCanvas()
@@ -95,7 +102,7 @@ internal class StatusBar(private val session: EditorSession, private val showPro
             Change.MESH, Change.VIEW -> refreshFigures()
             Change.PROBLEMS, Change.DOCUMENT -> refreshProblems()
             Change.PROGRESS -> refreshProgress()
-            Change.FILE -> Unit
+            Change.FILE, Change.PLAYBACK -> Unit
         }
     }
 

@@ -1,14 +1,19 @@
 package org.trigrid.editor.canvas
 
+import java.nio.file.Path
 import javafx.animation.AnimationTimer
 import javafx.scene.Cursor
+import javafx.scene.SnapshotParameters
 import javafx.scene.canvas.Canvas
 import javafx.scene.image.Image
+import javafx.scene.image.WritableImage
 import javafx.scene.input.MouseButton
 import javafx.scene.input.MouseEvent
 import javafx.scene.input.ScrollEvent
 import javafx.scene.layout.Region
+import javafx.scene.paint.Color
 import javafx.scene.shape.Rectangle
+import javafx.scene.transform.Transform
 import org.trigrid.editor.document.EditorDocument
 import org.trigrid.editor.document.ShapeHandles
 import org.trigrid.editor.meshing.Colouring
@@ -17,14 +22,16 @@ import org.trigrid.editor.session.Change
 import org.trigrid.editor.session.EditorSession
 import org.trigrid.editor.tool.PointerInput
 import org.trigrid.editor.tool.SelectTool
-import java.nio.file.Path
+import org.trigrid.geometry.Point2
+import org.trigrid.project.Background
 
 /** The sheet on which people draw: grid and picture, the mesh, the boundary, the tool's preview, one over the other. */
 internal class DrawingCanvas(private val session: EditorSession) : Region() {
     private val below = Canvas()
     private val above = Canvas()
     private val meshLayer = MeshLayer()
-    private var image: Pair<Path, Image>? = null
+    private val film = FrontPainter()
+    private var image: Pair<String, Image>? = null
     private var isStale = true
     private var panFrom: MouseEvent? = null
     private var wantsFit = true
@@ -152,6 +159,15 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
         transform = transform.zoomed(factor, width / 2, height / 2)
     }
 
+    /** What is shown, with [density] pixels to one of the window's. */
+    fun picture(density: Double): WritableImage {
+        paint()
+        meshLayer.sharpen(density)
+        val parameters = SnapshotParameters()
+        parameters.transform = Transform.scale(density, density)
+        return snapshot(parameters, null).also { redraw() }
+    }
+
     fun redraw() {
         isStale = true
     }
@@ -257,9 +273,9 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
     private fun paint() {
         if (width < 1 || height < 1) return
         isStale = false
-        val mesh = session.mesh.takeIf { session.view.showMesh }
+        val mesh = session.mesh.takeIf { session.view.showMesh && session.playback == null }
         val density = scene?.window?.outputScaleX ?: 1.0
-        meshLayer.show(mesh, transform, width, height, density, session.view.colouring, colours.mesh)
+        meshLayer.show(mesh, transform, width, height, density, session.view.colouring, colours.meshIn(region()))
         meshLayer.node.opacity = if (session.isMeshCurrent) 1.0 else STALE
         paintBelow()
         paintAbove()
@@ -269,15 +285,33 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
         val sheet = SheetPainter(below.graphicsContext2D, transform, width, height, colours)
         sheet.sheet()
         if (session.view.showGrid) sheet.grid()
-        val picture = session.document.picture ?: return
-        if (image?.first != picture.file) image = picture.file to Image(picture.file.toUri().toString())
+        session.document.picture?.let { picture(it, sheet) }
+        val hasMesh = session.mesh != null && session.view.showMesh || session.playback != null
+        val domain = session.domain.takeIf { !hasMesh }
+        if (domain != null) sheet.region(domain, region() ?: colours.accent)
+    }
+
+    private fun picture(picture: Background, sheet: SheetPainter) {
+        if (image?.first != picture.file) {
+            val loaded = Image(Path.of(picture.file).toUri().toString())
+            image = picture.file to loaded
+            session.pictureSize = if (loaded.isError) null else Point2(loaded.width, loaded.height)
+            if (loaded.isError) session.say("The picture ${picture.file} cannot be shown; choose another one, or remove it", true)
+        }
         image?.second?.takeIf { !it.isError }?.let { sheet.picture(it, picture) }
     }
+
+    /** The colour that the region was given, or null. */
+    private fun region(): Color? = session.document.project.let { it.colours[it.regionName] }?.let { Color.web(it) }
 
     private fun paintAbove() {
         val g = above.graphicsContext2D
         g.clearRect(0.0, 0.0, width, height)
         val settings = session.view
+        val playback = session.playback
+        if (playback != null) {
+            return film.draw(g, playback, transform, width, height, scene?.window?.outputScaleX ?: 1.0, colours)
+        }
         val outline = OutlinePainter(g, transform, width, height, colours, session.document, session.selection)
         outline.segments()
         if (settings.showDirections) outline.directions()
@@ -289,7 +323,7 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
             overlay.elements(mesh, markedElements)
         }
         val only = session.selection.onlyShape
-        if (only >= 0 && session.tool is SelectTool) overlay.handles(ShapeHandles.of(session.document.path.shape(only)))
+        if (only >= 0 && session.tool is SelectTool) overlay.handles(ShapeHandles.of(session.document.path, only))
         overlay.problems(session.problems, emphasised)
         overlay.preview(session.tool.preview)
         if (mesh != null) overlay.legend(settings.colouring, mesh)

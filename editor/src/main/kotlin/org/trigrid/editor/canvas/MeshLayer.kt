@@ -82,24 +82,40 @@ internal class MeshLayer {
         isPainting = true
         painter.execute {
             val begin = System.nanoTime()
-            val ready = raster?.takeIf { it.view === request.view } ?: MeshRaster(request.view).also { raster = it }
-            val pixels = PixelRaster(request.width, request.height)
-            val t = request.transform
-            ready.draw(pixels, ViewTransform(t.scale * request.density, t.left, t.top), request.colouring, request.ink)
+            val pixels = paint(request)
             val millis = (System.nanoTime() - begin) / 1e6
             Platform.runLater { finished(request, pixels, millis) }
         }
     }
 
+    private fun paint(request: Request): PixelRaster {
+        val ready = raster?.takeIf { it.view === request.view } ?: MeshRaster(request.view).also { raster = it }
+        val pixels = PixelRaster(request.width, request.height)
+        val t = request.transform
+        ready.draw(pixels, ViewTransform(t.scale * request.density, t.left, t.top), request.colouring, request.ink)
+        return pixels
+    }
+
+    /** Shows what is shown once more, at once and with [density] pixels to one of the window's, to be taken a picture of. */
+    fun sharpen(density: Double) {
+        val last = shown ?: return
+        val width = Math.ceil(last.width / last.density * density).toInt()
+        val height = Math.ceil(last.height / last.density * density).toInt()
+        val request = Request(last.view, current, width, height, density, last.colouring, last.ink)
+        put(request, paint(request))
+    }
+
+    private fun put(request: Request, pixels: PixelRaster) {
+        val buffer = PixelBuffer(request.width, request.height, IntBuffer.wrap(pixels.pixels), PixelFormat.getIntArgbPreInstance())
+        node.image = WritableImage(buffer)
+        shown = request
+        follow()
+    }
+
     private fun finished(request: Request, pixels: PixelRaster, millis: Double) {
         isPainting = false
         lastMillis = millis
-        if (request.view === wanted) {
-            val buffer = PixelBuffer(request.width, request.height, IntBuffer.wrap(pixels.pixels), PixelFormat.getIntArgbPreInstance())
-            node.image = WritableImage(buffer)
-            shown = request
-            follow()
-        }
+        if (request.view === wanted) put(request, pixels)
         next()
     }
 

@@ -29,13 +29,32 @@ internal class MeshNumbers(
             if (left-- == 0) break
             NumberText.draw(g, element.toString(), x, y, colours.text, colours.sheet)
         }
+        nodes(mesh)
         g.textAlign = TextAlignment.LEFT
         g.textBaseline = VPos.BASELINE
+    }
+
+    /** Numbers of the mesh's nodes, below them; those of the drawing stand above. */
+    private fun nodes(mesh: MeshView) {
+        if (mesh.sizes[1] * view.scale < NODE_ROOM) return
+        var left = MOST
+        for (node in 0 until mesh.mesh.nodeCount) {
+            val x = view.screenX(mesh.mesh.x(node))
+            val y = view.screenY(mesh.mesh.y(node))
+            if (x < 0 || y < 0 || x > width || y > height) continue
+            if (mesh.room(node) * view.scale < NODE_ROOM) continue
+            if (left-- == 0) break
+            NumberText.draw(g, node.toString(), x, y + NODE_SHIFT, colours.accent, colours.sheet)
+        }
     }
 
     private companion object {
         /** Longest edge, in pixels, of an element that has room for its number. */
         const val ELEMENT_ROOM = 64.0
         const val MOST = 1500
+
+        /** Longest edge, in pixels, of the elements about a node that has room for its number. */
+        const val NODE_ROOM = 96.0
+        const val NODE_SHIFT = 11.0
     }
 }

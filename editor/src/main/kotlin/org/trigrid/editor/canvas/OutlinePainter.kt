@@ -71,7 +71,7 @@ internal class OutlinePainter(
         val shape = outline.shapes[step]
         val isPicked = shape >= 0 && shape in selection.shapes || outline.loop in selection.loops
         val isConnector = shape >= 0 && document.path.isConnector(shape)
-        val colour = if (isConnector) colours.connector else colours.group(groups.indexOf(outline.tags[step]))
+        val colour = if (isConnector) colours.connector else colours.group(outline.tags[step], groups, document.project.colours)
         return Style(colour, isConnector, isPicked)
     }
 

@@ -4,6 +4,7 @@ import javafx.geometry.VPos
 import javafx.scene.canvas.GraphicsContext
 import javafx.scene.paint.Color
 import javafx.scene.text.Font
+import javafx.scene.text.Text
 import javafx.scene.text.TextAlignment
 import org.trigrid.editor.document.ShapeHandle
 import org.trigrid.editor.meshing.Colouring
@@ -170,7 +171,7 @@ internal class OverlayPainter(
     private fun label(words: String, x: Double, y: Double, colour: Color) {
         g.font = Font.font(11.5)
         g.textBaseline = VPos.CENTER
-        val room = words.length * 6.3 + 10
+        val room = Text(words).also { it.font = g.font }.layoutBounds.width + 9
         val left = Math.min(x, width - room - 4)
         g.fill = colours.panel
         g.fillRoundRect(left - 4, y - 9, room, 18.0, 6.0, 6.0)

@@ -2,10 +2,13 @@ package org.trigrid.editor.canvas
 
 import javafx.scene.canvas.GraphicsContext
 import javafx.scene.image.Image
+import javafx.scene.paint.Color
+import javafx.scene.shape.FillRule
 import javafx.scene.transform.Affine
-import org.trigrid.editor.document.BackgroundPicture
+import org.trigrid.domain.Domain
 import org.trigrid.editor.tool.Grid
 import org.trigrid.geometry.Point2
+import org.trigrid.project.Background
 
 /** Draws what lies under the mesh: the sheet, the grid, the picture to trace over. */
 internal class SheetPainter(
@@ -48,10 +51,11 @@ internal class SheetPainter(
     }
 
     /** Pixels of the picture go to the domain by its placement, from there to the screen. */
-    fun picture(image: Image, picture: BackgroundPicture) {
-        val origin = picture.placement.apply(Point2(0.0, 0.0))
-        val right = picture.placement.apply(Point2(1.0, 0.0))
-        val up = picture.placement.apply(Point2(0.0, 1.0))
+    fun picture(image: Image, picture: Background) {
+        val placement = picture.placement()
+        val origin = placement.apply(Point2(0.0, 0.0))
+        val right = placement.apply(Point2(1.0, 0.0))
+        val up = placement.apply(Point2(0.0, 1.0))
         g.save()
         g.globalAlpha = picture.opacity
         val h = image.height
@@ -65,9 +69,30 @@ internal class SheetPainter(
         g.restore()
     }
 
+    /** A shade of the region's colour where the domain is, so that what is left out is seen before there is a mesh. */
+    fun region(domain: Domain, colour: Color) {
+        if (domain.segmentCount > MOST_SHADED) return
+        g.beginPath()
+        for (loop in 0 until domain.loopCount) {
+            val nodes = domain.loopNodes(loop)
+            for ((i, node) in nodes.withIndex()) {
+                val x = view.screenX(domain.x(node)).coerceIn(-FAR, FAR)
+                val y = view.screenY(domain.y(node)).coerceIn(-FAR, FAR)
+                if (i == 0) g.moveTo(x, y) else g.lineTo(x, y)
+            }
+            g.closePath()
+        }
+        g.fillRule = FillRule.EVEN_ODD
+        g.fill = colour.deriveColor(0.0, 1.0, 1.0, SHADE)
+        g.fill()
+    }
+
     private fun crisp(value: Double): Double = Math.floor(value) + 0.5
 
     private companion object {
         const val MOST_LINES = 2000
+        const val MOST_SHADED = 20_000
+        const val SHADE = 0.1
+        const val FAR = 1e5
     }
 }

@@ -3,8 +3,8 @@ package org.trigrid.editor.command
 import org.trigrid.MeshOptions
 import org.trigrid.domain.Domain
 import org.trigrid.domain.Path
-import org.trigrid.editor.document.BackgroundPicture
 import org.trigrid.editor.document.EditorState
+import org.trigrid.project.Background
 import org.trigrid.project.NodeLoop
 import org.trigrid.project.ShapeDefaults
 
@@ -22,7 +22,18 @@ internal object ProjectCommands {
         }
 
     fun regionName(value: String): EditCommand = EditCommand.of("rename region", "region name") { state ->
-        if (state.document.project.regionName == value) state else keeping(state) { it.with { regionName(value) } }
+        val project = state.document.project
+        val colours = recoloured(project.colours, project.regionName, value)
+        if (project.regionName == value) state else keeping(state) { it.with { regionName(value).colours(colours) } }
+    }
+
+    /** A colour goes along with its name, unless the new name has one. */
+    private fun recoloured(colours: Map<String, String>, from: String, to: String): Map<String, String> {
+        val colour = colours[from] ?: return colours
+        val changed = LinkedHashMap(colours)
+        changed.remove(from)
+        changed.putIfAbsent(to, colour)
+        return changed
     }
 
     /** Gives the boundary group [from] another name, wherever it occurs. */
@@ -36,7 +47,15 @@ internal object ProjectCommands {
         val loops = document.loops.map { loop ->
             if (from !in loop.segmentTags) loop else NodeLoop(loop.coordinates(), loop.segmentTags.map { if (it == from) to else it })
         }
-        if (from == to) state else EditorState(document.with { path(path).loops(loops) }, state.selection)
+        val colours = recoloured(document.project.colours, from, to)
+        if (from == to) state else EditorState(document.with { path(path).loops(loops).colours(colours) }, state.selection)
+    }
+
+    /** Gives a boundary group or the region a colour, `#rrggbb`; null for the one it has by itself. */
+    fun colour(name: String, colour: String?): EditCommand = EditCommand.of("colour of $name", "colour $name") { state ->
+        val colours = LinkedHashMap(state.document.project.colours)
+        if (colour == null) colours.remove(name) else colours[name] = colour
+        if (colours == state.document.project.colours) state else keeping(state) { it.with { colours(colours) } }
     }
 
     /** Gives all segments of picked loops one boundary group. */
@@ -49,7 +68,7 @@ internal object ProjectCommands {
     /** Adds the loops of [domain] as loops of plain nodes. */
     fun addDomain(domain: Domain, what: String): EditCommand = AddShapes(emptyList(), loopsOf(domain), "import $what")
 
-    fun picture(name: String, picture: BackgroundPicture?, mergeKey: Any? = null): EditCommand =
+    fun picture(name: String, picture: Background?, mergeKey: Any? = null): EditCommand =
         EditCommand.of(name, mergeKey) { keeping(it) { document -> document.withPicture(picture) } }
 
     fun loopsOf(domain: Domain): List<NodeLoop> = (0 until domain.loopCount).map { loop ->

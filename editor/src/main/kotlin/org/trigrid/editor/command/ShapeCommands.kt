@@ -175,6 +175,6 @@ internal object ShapeCommands {
     }
 
     fun clear(): EditCommand = EditCommand.of("clear") { state ->
-        EditorState(EditorDocument(state.document.project.toBuilder().path(Path.EMPTY).loops(emptyList()).build(), state.document.picture))
+        EditorState(state.document.with { path(Path.EMPTY).loops(emptyList()) })
     }
 }

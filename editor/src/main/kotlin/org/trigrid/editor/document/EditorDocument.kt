@@ -1,16 +1,18 @@
 package org.trigrid.editor.document
 
 import org.trigrid.domain.Path
+import org.trigrid.project.Background
 import org.trigrid.project.NodeLoop
 import org.trigrid.project.Project
 
 /**
- * All that is edited and undone: the project and the picture behind it. Immutable, so an earlier document is kept by
- * keeping it, and other threads read one without being asked to wait.
+ * All that is edited and undone: the project, the picture behind it among the rest; the picture's file is absolute here.
+ * Immutable, so an earlier document is kept by keeping it, and other threads read one without being asked to wait.
  */
-internal class EditorDocument(val project: Project, val picture: BackgroundPicture? = null) {
+internal class EditorDocument(val project: Project) {
     val path: Path get() = project.path
     val loops: List<NodeLoop> get() = project.loops
+    val picture: Background? get() = project.background
 
     /** The nodes of the path, then those of the loops. */
     val nodes: DocumentNodes by lazy(LazyThreadSafetyMode.PUBLICATION) { DocumentNodes(project) }
@@ -46,14 +48,21 @@ internal class EditorDocument(val project: Project, val picture: BackgroundPictu
         return names.toList()
     }
 
-    fun with(change: Project.Builder.() -> Project.Builder): EditorDocument =
-        EditorDocument(project.toBuilder().change().build(), picture)
+    /** Whether both have the same mesh: they differ at most in colours and the picture behind. */
+    fun isMeshedAs(other: EditorDocument): Boolean {
+        val a = project
+        val b = other.project
+        return a.path === b.path && a.options === b.options && a.keepsConnectors == b.keepsConnectors &&
+            a.regionName == b.regionName && (a.loops === b.loops || a.loops == b.loops)
+    }
+
+    fun with(change: Project.Builder.() -> Project.Builder): EditorDocument = EditorDocument(project.toBuilder().change().build())
 
     fun withPath(value: Path): EditorDocument = with { path(value) }
 
     fun withLoops(value: List<NodeLoop>): EditorDocument = with { loops(value) }
 
-    fun withPicture(value: BackgroundPicture?): EditorDocument = EditorDocument(project, value)
+    fun withPicture(value: Background?): EditorDocument = with { background(value) }
 
     companion object {
         val EMPTY: EditorDocument = EditorDocument(Project.builder().build())

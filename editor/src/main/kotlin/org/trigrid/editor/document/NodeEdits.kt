@@ -12,7 +12,11 @@ internal object NodeEdits {
      */
     fun move(document: EditorDocument, nodes: IntArray, places: List<Point2>): EditorDocument {
         val moved = moveInLoops(document, nodes, places)
-        return moved.withPath(PathNodeMoves(moved.path, nodes, places, document.nodes.pathCount).moved())
+        val onPath = nodes.indices.filter { nodes[it] < document.nodes.pathCount }
+        if (onPath.isEmpty()) return moved
+        val numbers = IntArray(onPath.size) { nodes[onPath[it]] }
+        val xy = DoubleArray(2 * onPath.size) { i -> places[onPath[i / 2]].let { if (i % 2 == 0) it.x else it.y } }
+        return moved.withPath(if (numbers.size == 1) moved.path.moveNode(numbers[0], xy[0], xy[1]) else moved.path.moveNodes(numbers, xy))
     }
 
     fun delete(document: EditorDocument, nodes: Set<Int>): EditorDocument {

@@ -78,6 +78,13 @@ internal object ShapeEdits {
         is Line, is Lines, is Curve, is Arc -> shape.reversed()
     }
 
+    /** [shape], which is not closed, with its end elsewhere; null if there is no such shape. */
+    fun endedAt(shape: Shape, end: Point2): Shape? = try {
+        withEnds(shape, shape.firstPoint, end)
+    } catch (_: InvalidShapeException) {
+        null
+    }
+
     /** [shape] with its ends moved where they lay on ends of [old]; the same object if they did not. */
     private fun follow(shape: Shape, old: Shape, by: Shape): Shape {
         val first = target(shape.firstPoint, old, by)

@@ -1,5 +1,6 @@
 package org.trigrid.editor.document
 
+import org.trigrid.domain.Path
 import org.trigrid.geometry.Point2
 import org.trigrid.shape.Arc
 import org.trigrid.shape.Circle
@@ -17,6 +18,9 @@ internal class ShapeHandle(val point: Point2, val what: String, val dragged: (Po
 
 /** The places by which shapes are pulled: their ends, corners, vertices and centres. */
 internal object ShapeHandles {
+    /** Those of a shape of [path]; a connector between two walks has none, since it goes where its nodes go. */
+    fun of(path: Path, number: Int): List<ShapeHandle> = if (path.joinsWalks(number)) emptyList() else of(path.shape(number))
+
     fun of(shape: Shape): List<ShapeHandle> = when (shape) {
         is Line -> ends(shape) { a, b -> shape.withEnds(a, b) }
         is Arc -> ends(shape) { a, b -> shape.withEnds(a, b) } + bulge(shape)

@@ -28,7 +28,7 @@ internal object DocumentFile {
      */
     @Throws(IOException::class)
     fun read(file: Path): OpenedFile {
-        if (DomainInputs.isProject(file)) return OpenedFile(EditorDocument(ProjectFile.read(file)), file, true)
+        if (DomainInputs.isProject(file)) return OpenedFile(EditorDocument(PictureFile.absolute(ProjectFile.read(file), file)), file, true)
         val domains = DomainFormats.read(file).map { it.domain }
         val project = Project.builder().loops(domains.flatMap { ProjectCommands.loopsOf(it) })
             .defaults(defaultsFor(domains)).build()
@@ -36,7 +36,7 @@ internal object DocumentFile {
     }
 
     @Throws(IOException::class)
-    fun write(file: Path, document: EditorDocument) = ProjectFile.write(file, document.project)
+    fun write(file: Path, document: EditorDocument) = ProjectFile.write(file, PictureFile.relative(document.project, file))
 
     /** [file] with the ending of a project. */
     fun withEnding(file: Path): Path {

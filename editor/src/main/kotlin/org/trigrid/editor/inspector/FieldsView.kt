@@ -1,8 +1,10 @@
 package org.trigrid.editor.inspector
 
+import java.util.Locale
 import javafx.css.PseudoClass
 import javafx.geometry.HPos
 import javafx.scene.control.ChoiceBox
+import javafx.scene.control.ColorPicker
 import javafx.scene.control.Control
 import javafx.scene.control.Label
 import javafx.scene.control.TextField
@@ -12,6 +14,7 @@ import javafx.scene.layout.ColumnConstraints
 import javafx.scene.layout.GridPane
 import javafx.scene.layout.Priority
 import javafx.scene.layout.VBox
+import javafx.scene.paint.Color
 
 /**
  * Shows sections of fields and hands on what is typed. No logic of its own.
@@ -19,7 +22,9 @@ import javafx.scene.layout.VBox
  * @param commit does what a text in a field asks for and returns what is wrong with it, or null.
  */
 internal class FieldsView(private val commit: (InspectorField, String) -> String?) : VBox() {
-    private class Row(var field: InspectorField, val control: Control, val fault: Label)
+    private class Row(var field: InspectorField, val control: Control, val fault: Label) {
+        var colours: ColorPicker? = null
+    }
 
     private var layout: List<String> = emptyList()
     private val rows = ArrayList<Row>()
@@ -31,7 +36,7 @@ internal class FieldsView(private val commit: (InspectorField, String) -> String
 
     /** Shows [sections]; a field in which somebody types keeps its text. */
     fun show(sections: List<InspectorSection>) {
-        val wanted = sections.flatMap { s -> listOf("#" + s.heading) + s.fields.map { "${it.label}|${it.unit}|${it.choices}|${it.isReadOnly}" } }
+        val wanted = sections.flatMap { s -> listOf("#" + s.heading) + s.fields.map { "${it.label}|${it.unit}|${it.choices}|${it.isReadOnly}|${it.colour != null}" } }
         isUpdating = true
         if (wanted != layout) rebuild(sections) else sections.flatMap { it.fields }.forEachIndexed { i, field -> update(rows[i], field) }
         layout = wanted
@@ -79,9 +84,35 @@ internal class FieldsView(private val commit: (InspectorField, String) -> String
         control.accessibleText = "${field.label} ${field.unit}"
         control.id = "field-" + field.label.lowercase().replace(' ', '-')
         grid.addRow(2 * index, label, control)
-        if (field.unit.isEmpty()) GridPane.setColumnSpan(control, 2) else grid.add(unit, 2, 2 * index)
+        val colours = if (field.colour == null) null else colourBox(row)
+        row.colours = colours
+        if (colours != null) {
+            grid.add(colours, 2, 2 * index)
+        } else if (field.unit.isEmpty()) {
+            GridPane.setColumnSpan(control, 2)
+        } else {
+            grid.add(unit, 2, 2 * index)
+        }
         grid.add(fault, 1, 2 * index + 1, 2, 1)
         listenTo(row)
+    }
+
+    private fun colourBox(row: Row): ColorPicker {
+        val box = ColorPicker(Color.web(row.field.colour!!.value))
+        box.styleClass.addAll("button", "colour-box")
+        box.tooltip = Tooltip("Choose the colour of ${row.field.value}")
+        box.accessibleText = "Colour of ${row.field.label} ${row.field.value}"
+        box.id = "colour-" + row.field.value.lowercase().replace(' ', '-')
+        box.setOnAction {
+            val chosen = box.value
+            val hex = String.format(
+                Locale.ROOT, "#%02x%02x%02x",
+                Math.round(255 * chosen.red).toInt(), Math.round(255 * chosen.green).toInt(), Math.round(255 * chosen.blue).toInt(),
+            )
+            val colour = row.field.colour
+            if (!isUpdating && colour != null && hex != colour.value) commit(InspectorField(row.field.label, colour.value, change = colour.change), hex)
+        }
+        return box
     }
 
     private fun controlFor(field: InspectorField): Control = when {
@@ -123,6 +154,7 @@ internal class FieldsView(private val commit: (InspectorField, String) -> String
 
     private fun update(row: Row, field: InspectorField) {
         row.field = field
+        field.colour?.let { row.colours?.value = Color.web(it.value) }
         when (val control = row.control) {
             is Label -> control.text = field.value
             is TextField -> if (control.text != field.value && (!control.isFocused || !control.pseudoClassStates.contains(INVALID))) {

@@ -11,11 +11,16 @@ internal class InspectorField(
     /** What can be chosen; empty for what is typed. */
     val choices: List<String> = emptyList(),
     val help: String = "",
+    /** A colour that goes with it, `#rrggbb`, in a box to choose another one; null for none. */
+    val colour: InspectorColour? = null,
     /** The command that a text asks for; throws [IllegalArgumentException] with the reason where it asks for nothing. Null: cannot be changed. */
     val change: ((String) -> EditCommand)? = null,
 ) {
     val isReadOnly: Boolean get() = change == null
 }
+
+/** A colour, `#rrggbb`, and the command that another one asks for. Immutable. */
+internal class InspectorColour(val value: String, val change: (String) -> EditCommand)
 
 /** Fields under one heading. */
 internal class InspectorSection(val heading: String, val fields: List<InspectorField>)

@@ -6,6 +6,7 @@ import org.trigrid.editor.command.EditCommand
 import org.trigrid.editor.command.MoveNodes
 import org.trigrid.editor.command.ProjectCommands
 import org.trigrid.editor.command.SpreadNodes
+import org.trigrid.editor.document.ShapeRole
 import org.trigrid.editor.session.EditorSession
 import org.trigrid.editor.tool.Figures
 import org.trigrid.geometry.Point2
@@ -54,7 +55,7 @@ internal class InspectorViewModel(private val session: EditorSession) {
                 picked.nodes.isNotEmpty() -> nodeSections(picked.nodes)
                 picked.shapes.isNotEmpty() -> shapeSections(picked.shapes)
                 picked.loops.isNotEmpty() -> loopSections(picked.loops)
-                else -> listOf(InspectorSection("Spacing", defaultFields()))
+                else -> listOf(InspectorSection("Spacing", defaultFields())) + PictureFields.of(session.document)
             }
         }
 
@@ -91,7 +92,11 @@ internal class InspectorViewModel(private val session: EditorSession) {
         val path = session.document.path
         val first = path.shape(shapes.first())
         val sections = ArrayList<InspectorSection>()
-        if (shapes.size == 1) sections.add(InspectorSection("Geometry", ShapeFields.geometry(shapes.first(), first)))
+        if (shapes.size == 1) {
+            val role = ShapeRole.of(session.document, shapes.first())
+            val fields = if (role.isEmpty()) emptyList() else listOf(InspectorField("Role", role))
+            sections.add(InspectorSection("Geometry", fields + ShapeFields.geometry(path, shapes.first(), first)))
+        }
         val all = shapes.map { path.shape(it) }
         sections.add(InspectorSection("Spacing", spacingFields(shapes, all)))
         sections.add(InspectorSection("Boundary group", listOf(nameField(shapes, all))))

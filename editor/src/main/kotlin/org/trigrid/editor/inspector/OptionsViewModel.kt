@@ -1,16 +1,20 @@
 package org.trigrid.editor.inspector
 
 import org.trigrid.MeshOptions
-import org.trigrid.spacing.Sizes
-import org.trigrid.front.Strategy
 import org.trigrid.editor.command.EditCommand
 import org.trigrid.editor.command.ProjectCommands
+import org.trigrid.editor.document.GroupPalette
 import org.trigrid.editor.session.EditorSession
 import org.trigrid.editor.tool.Figures
+import org.trigrid.front.Strategy
 import org.trigrid.numbering.NumberingMethod
+import org.trigrid.spacing.Sizes
 
 /** What can be asked of the mesher, as fields. No controls. */
 internal class OptionsViewModel(private val session: EditorSession) {
+    /** Colours that groups have by themselves in the theme that is shown. */
+    var palette: GroupPalette = GroupPalette.ON_LIGHT
+
     private val options: MeshOptions get() = session.document.project.options
 
     val sections: List<InspectorSection>
@@ -49,16 +53,27 @@ internal class OptionsViewModel(private val session: EditorSession) {
 
     private fun nameFields(): List<InspectorField> {
         val project = session.document.project
-        val region = InspectorField("Region", project.regionName, help = "Physical group of the elements") { ProjectCommands.regionName(it.trim()) }
+        val region = InspectorField(
+            "Region", project.regionName, help = "Physical group of the elements in the mesh file",
+            colour = colour(project.regionName, project.colours[project.regionName] ?: REGION),
+        ) { ProjectCommands.regionName(named(it)) }
         val connectors = InspectorField(
             "Connectors", if (project.keepsConnectors) KEPT else DROPPED, choices = listOf(DROPPED, KEPT),
             help = "Kept connectors become edges of the mesh",
         ) { ProjectCommands.keepConnectors(it == KEPT) }
-        val groups = session.document.groups().map { group ->
-            InspectorField("Group", group, help = "Renames this boundary group everywhere") { ProjectCommands.renameGroup(group, it.trim()) }
+        val all = session.document.groups()
+        val groups = all.map { group ->
+            InspectorField(
+                "Group", group, help = "Physical group of this boundary in the mesh file; renamed everywhere",
+                colour = colour(group, palette.colourOf(group, all, project.colours)),
+            ) { ProjectCommands.renameGroup(group, named(it)) }
         }
         return listOf(region, connectors) + groups
     }
+
+    private fun colour(name: String, value: String) = InspectorColour(value) { ProjectCommands.colour(name, it) }
+
+    private fun named(text: String): String = text.trim().ifEmpty { throw IllegalArgumentException("Type a name") }
 
     private fun number(label: String, value: String, unit: String, help: String, set: MeshOptions.Builder.(String) -> MeshOptions.Builder) =
         InspectorField(label, value, unit, help = help) { text -> change(label.lowercase()) { set(text) } }
@@ -82,6 +97,8 @@ internal class OptionsViewModel(private val session: EditorSession) {
     }
 
     private companion object {
+        /** The region's colour before one is chosen. */
+        const val REGION = "#b9c9d8"
         const val ON = "On"
         const val OFF = "Off"
         const val KEPT = "Kept"

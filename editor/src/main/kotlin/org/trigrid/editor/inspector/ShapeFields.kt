@@ -22,8 +22,8 @@ internal object ShapeFields {
     fun title(path: Path, number: Int): String =
         (if (path.isConnector(number)) "Connector" else path.shape(number).javaClass.simpleName) + " ${number + 1}"
 
-    fun geometry(number: Int, shape: Shape): List<InspectorField> = when (shape) {
-        is Line -> ends(number, shape) { a, b -> shape.withEnds(a, b) } +
+    fun geometry(path: Path, number: Int, shape: Shape): List<InspectorField> = when (shape) {
+        is Line -> if (path.joinsWalks(number)) joined(shape) else ends(number, shape) { a, b -> shape.withEnds(a, b) } +
             InspectorField("Length", Figures.length(shape.firstPoint.distanceTo(shape.lastPoint)), "length")
         is Arc -> ends(number, shape) { a, b -> shape.withEnds(a, b) } + listOf(
             number(number, "Angle", shape.angleDegrees, "°") { shape.withAngleDegrees(it) },
@@ -40,6 +40,13 @@ internal object ShapeFields {
     private fun ends(number: Int, shape: Shape, make: (Point2, Point2) -> Shape): List<InspectorField> =
         point(number, "Begin", shape.firstPoint) { make(it, shape.lastPoint) } +
             point(number, "End", shape.lastPoint) { make(shape.firstPoint, it) }
+
+    /** A connector between two walks goes where its nodes go. */
+    private fun joined(shape: Line): List<InspectorField> = listOf(
+        InspectorField("Begin", shape.firstPoint.let { "${Figures.length(it.x)}, ${Figures.length(it.y)}" }),
+        InspectorField("End", shape.lastPoint.let { "${Figures.length(it.x)}, ${Figures.length(it.y)}" }),
+        InspectorField("Length", Figures.length(shape.firstPoint.distanceTo(shape.lastPoint))),
+    )
 
     private fun rectangle(number: Int, shape: Rectangle): List<InspectorField> {
         val a = shape.firstPoint

@@ -1,14 +1,16 @@
 package org.trigrid.editor.meshing
 
+import java.util.concurrent.Executor
+import java.util.concurrent.atomic.AtomicInteger
 import org.trigrid.MeshGenerator
+import org.trigrid.diagnostics.InvalidDomainException
 import org.trigrid.diagnostics.MeshingCancelledException
 import org.trigrid.diagnostics.ProgressMonitor
 import org.trigrid.diagnostics.TriGridException
 import org.trigrid.editor.document.EditorDocument
+import org.trigrid.front.FrontTrace
 import org.trigrid.mesh.TriMesh
 import org.trigrid.numbering.NumberingMethod
-import java.util.concurrent.Executor
-import java.util.concurrent.atomic.AtomicInteger
 
 /** Hears what the background has found; always called through the executor it was given with. */
 internal interface MeshListener {
@@ -57,17 +59,25 @@ internal class BackgroundMesher(
         publisher.execute { listener.progressed(null) }
     }
 
-    private fun run(document: EditorDocument, request: Int) {
+    private fun run(document: EditorDocument, request: Int) = guarded(request) { monitor ->
+        val view = generate(document, monitor);
+        { listener.meshed(view) }
+    }
+
+    /** Does [work] under a monitor and publishes what it returns, unless the request is no longer the latest. */
+    private fun guarded(request: Int, work: (ProgressMonitor) -> () -> Unit) {
         val tell = { action: () -> Unit -> publisher.execute { if (request == latestRun.get()) action() } }
         val monitor = ProgressMonitor { stage, fraction ->
             tell { listener.progressed(MeshProgress(stage, fraction)) }
             request == latestRun.get()
         }
         try {
-            val view = generate(document, monitor)
-            tell { listener.meshed(view) }
+            tell(work(monitor))
         } catch (_: MeshingCancelledException) {
             tell { listener.failed(null) }
+        } catch (error: InvalidDomainException) {
+            val first = error.faults.firstOrNull()?.message ?: error.message.orEmpty()
+            tell { listener.failed("Mend the faults first (F4 lists them): $first") }
         } catch (error: TriGridException) {
             tell { listener.failed(error.message.orEmpty()) }
         } catch (_: OutOfMemoryError) {
@@ -79,6 +89,22 @@ internal class BackgroundMesher(
     private fun generate(document: EditorDocument, monitor: ProgressMonitor): MeshView {
         val result = MeshGenerator.generate(document.project.toDomain(), document.project.options, monitor)
         return MeshView(document, result.mesh, result.report)
+    }
+
+    /** Meshes once more and notes how the front advances; [done] gets the notes, the listener hears what went wrong. */
+    fun trace(document: EditorDocument, done: (FrontTrace) -> Unit) {
+        val request = latestRun.incrementAndGet()
+        worker.execute {
+            if (request != latestRun.get()) return@execute
+            val project = document.project
+            guarded(request) { monitor ->
+                val most = Math.min(project.options.maxElements, FrontPlayback.MOST_ELEMENTS)
+                val domain = project.toDomain()
+                val trace = FrontTrace(domain)
+                MeshGenerator.generate(domain, project.options.toBuilder().maxElements(most).build(), monitor, trace);
+                { done(trace) }
+            }
+        }
     }
 
     /** The mesh of [view] in the numbers that the front gave its nodes; made anew, for the matrix view. */

@@ -6,8 +6,6 @@ import org.trigrid.diagnostics.TriGridException
 import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
 import org.trigrid.editor.document.EditorDocument
-import org.trigrid.editor.document.ShapeEdits
-import org.trigrid.project.Project
 
 /** The domain of a document and all that is wrong with it. Immutable. */
 internal class DomainInspection(
@@ -26,8 +24,8 @@ internal class DomainInspection(
             if (document.isEmpty) return DomainInspection(document, null, emptyList())
             return try {
                 ofDomain(document, document.project.toDomain())
-            } catch (error: InvalidDomainException) {
-                DomainInspection(document, null, problems(document, error.faults) + hidden(document))
+            } catch (_: InvalidDomainException) {
+                DomainInspection(document, null, problems(document, document.project.faults()))
             } catch (error: TriGridException) {
                 DomainInspection(document, null, listOf(Problem("No domain", error.message.orEmpty(), 0.0, 0.0, true)))
             }
@@ -45,26 +43,6 @@ internal class DomainInspection(
 
         private fun problems(document: EditorDocument, faults: List<Fault>): List<Problem> = faults.map {
             Problem(ProblemWords.title(it.kind), it.message, it.x, it.y, true, FaultFixes.of(document, it))
-        }
-
-        /** Faults of a drawing whose last walk is still open: what would be wrong if it were closed by one segment. */
-        private fun hidden(document: EditorDocument): List<Problem> {
-            val path = document.path
-            val start = ShapeEdits.openStart(path) ?: return emptyList()
-            val end = path.end() ?: return emptyList()
-            if (ShapeEdits.isAt(start, end)) return emptyList()
-            return try {
-                val closed = Project.of(path.close(2 * start.distanceTo(end)))
-                val faults = DomainCheck.check(closed.toDomain())
-                problems(document, faults.filter { !concerns(closed, it, start.x, start.y, end.x, end.y) })
-            } catch (_: TriGridException) {
-                emptyList()
-            }
-        }
-
-        private fun concerns(project: Project, fault: Fault, ax: Double, ay: Double, bx: Double, by: Double): Boolean {
-            val places = fault.nodes().filter { it < project.path.nodeCount }.map { project.path.node(it) }
-            return places.any { it.x == ax && it.y == ay } && places.any { it.x == bx && it.y == by }
         }
     }
 }

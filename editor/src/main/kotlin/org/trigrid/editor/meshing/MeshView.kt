@@ -34,6 +34,19 @@ internal class MeshView(
         return longest
     }
 
+    /** Longest edge of the smallest element about each node: what room its number has. */
+    private val rooms: FloatArray by lazy(LazyThreadSafetyMode.PUBLICATION) {
+        val rooms = FloatArray(mesh.nodeCount) { Float.POSITIVE_INFINITY }
+        for (element in 0 until mesh.elementCount) {
+            val size = size(element).toFloat()
+            for (corner in 0..2) mesh.nodeOf(element, corner).let { rooms[it] = minOf(rooms[it], size) }
+        }
+        rooms
+    }
+
+    /** Longest edge of the smallest element about [node], in the domain's unit. */
+    fun room(node: Int): Double = rooms[node].toDouble()
+
     /** How far the degrees of an element's inner nodes are from six, at the worst; the boundary sets those of its own. */
     fun degreeError(element: Int): Int = (0..2).maxOf { corner ->
         val node = mesh.nodeOf(element, corner)

@@ -1,6 +1,9 @@
 package org.trigrid.editor.session
 
+import java.nio.file.Path
+import java.util.concurrent.Executor
 import org.trigrid.diagnostics.TriGridException
+import org.trigrid.domain.Domain
 import org.trigrid.editor.command.CommandHistory
 import org.trigrid.editor.command.EditCommand
 import org.trigrid.editor.document.EditorDocument
@@ -8,6 +11,7 @@ import org.trigrid.editor.document.EditorState
 import org.trigrid.editor.document.Selection
 import org.trigrid.editor.meshing.BackgroundMesher
 import org.trigrid.editor.meshing.DomainInspection
+import org.trigrid.editor.meshing.FrontPlayback
 import org.trigrid.editor.meshing.MeshListener
 import org.trigrid.editor.meshing.MeshProgress
 import org.trigrid.editor.meshing.MeshView
@@ -20,8 +24,7 @@ import org.trigrid.editor.tool.SnapSettings
 import org.trigrid.editor.tool.Snapper
 import org.trigrid.editor.tool.Tool
 import org.trigrid.editor.tool.ToolHost
-import java.nio.file.Path
-import java.util.concurrent.Executor
+import org.trigrid.geometry.Point2
 
 /**
  * All that a window shows and does, without the window: the history of the document, the tool at hand, what is picked,
@@ -57,6 +60,10 @@ internal class EditorSession(worker: Executor, publisher: Executor) : ToolHost, 
     var mesh: MeshView? = null
         private set
 
+    /** The film of the front, or null while none is shown. */
+    var playback: FrontPlayback? = null
+        private set
+
     var progress: MeshProgress? = null
         private set
 
@@ -88,6 +95,9 @@ internal class EditorSession(worker: Executor, publisher: Executor) : ToolHost, 
             tell(Change.VIEW)
         }
 
+    /** Pixels of the picture behind in width and height, once it is loaded. */
+    override var pictureSize: Point2? = null
+
     private var inspection: DomainInspection? = null
     private var snapperOf: Pair<EditorDocument, Snapper>? = null
 
@@ -98,7 +108,10 @@ internal class EditorSession(worker: Executor, publisher: Executor) : ToolHost, 
             return Snapper(document, snapping).also { snapperOf = document to it }
         }
 
-    val isMeshCurrent: Boolean get() = mesh != null && mesh?.document?.project === document.project
+    /** The domain that is drawn, where it has no faults and is up to date; else null. */
+    val domain: Domain? get() = inspection?.takeIf { it.document.isMeshedAs(document) }?.domain
+
+    val isMeshCurrent: Boolean get() = mesh?.document?.isMeshedAs(document) == true
 
     fun listen(listener: (Change) -> Unit) {
         listeners.add(listener)
@@ -186,6 +199,7 @@ internal class EditorSession(worker: Executor, publisher: Executor) : ToolHost, 
     }
 
     private fun documentChanged() {
+        stopPlayback()
         tell(Change.DOCUMENT)
         tell(Change.SELECTION)
         tell(Change.PREVIEW)
@@ -205,13 +219,17 @@ internal class EditorSession(worker: Executor, publisher: Executor) : ToolHost, 
     fun use(tool: Tool) {
         this.tool = tool
         history.endMerging()
+        if (message.isNotEmpty()) say("")
         tell(Change.TOOL)
         tell(Change.PREVIEW)
     }
 
     override fun leaveTool() = selectTool()
 
-    fun press(input: PointerInput) = withTool { it.press(input) }
+    fun press(input: PointerInput) {
+        if (message.isNotEmpty()) say("")
+        withTool { it.press(input) }
+    }
 
     fun drag(input: PointerInput) = withTool { it.drag(input) }
 
@@ -237,6 +255,29 @@ internal class EditorSession(worker: Executor, publisher: Executor) : ToolHost, 
         say("Meshing cancelled")
     }
 
+    /** Meshes and shows, element by element, how the front advances. */
+    fun playFront() {
+        if (document.isEmpty) return say("Draw a closed shape first, then play its front")
+        mesher.trace(document) {
+            playback = FrontPlayback(it)
+            say("")
+            tell(Change.PLAYBACK)
+        }
+    }
+
+    /** Does [action] with the film that is shown. */
+    fun withPlayback(action: (FrontPlayback) -> Unit) {
+        val shown = playback ?: return
+        action(shown)
+        tell(Change.PLAYBACK)
+    }
+
+    fun stopPlayback() {
+        if (playback == null) return
+        playback = null
+        tell(Change.PLAYBACK)
+    }
+
     fun clearMesh() {
         mesh = null
         tell(Change.MESH)
@@ -251,7 +292,7 @@ internal class EditorSession(worker: Executor, publisher: Executor) : ToolHost, 
         this.inspection = inspection
         problems = inspection.problems
         tell(Change.PROBLEMS)
-        if (isLive && mesh?.document?.project !== inspection.document.project) meshIfSound()
+        if (isLive && mesh?.document?.isMeshedAs(inspection.document) != true) meshIfSound()
     }
 
     override fun progressed(progress: MeshProgress?) {
@@ -261,6 +302,7 @@ internal class EditorSession(worker: Executor, publisher: Executor) : ToolHost, 
 
     override fun meshed(view: MeshView) {
         mesh = view
+        if (message.isNotEmpty()) say("")
         tell(Change.MESH)
     }
 

@@ -11,6 +11,8 @@ internal object CoordinateEntry {
     private val PAIR = Regex("""\s*(@?)\s*($NUMBER)\s*(?:[,;]|\s)\s*($NUMBER)\s*""")
     private val POLAR = Regex("""\s*(@?)\s*($NUMBER)\s*<\s*($NUMBER)\s*""")
 
+    private val SINGLE = Regex("""\s*@?\s*$NUMBER\s*""")
+
     /** The place that [text] means, or null if it means none. @param last the point that `@` counts from. */
     fun parse(text: String, last: Point2?): Point2? {
         val pair = PAIR.matchEntire(text)
@@ -22,6 +24,12 @@ internal object CoordinateEntry {
         val place = if (pair != null) Point2(from.x + a, from.y + b) else polar(from, a, b)
         return place.takeIf { it.x.isFinite() && it.y.isFinite() }
     }
+
+    /** Whether [text] is the first number of two, so that Tab may go on to the second. */
+    fun awaitsSecond(text: String): Boolean = SINGLE.matches(text)
+
+    /** [text], the first number of two, and what stands between them. */
+    fun withSeparator(text: String): String = text.trim() + ","
 
     private fun polar(from: Point2, length: Double, degrees: Double): Point2 {
         val turned = org.trigrid.shape.Similarity.rotation(ORIGIN, degrees).apply(Point2(length, 0.0))

@@ -17,7 +17,7 @@ import org.trigrid.shape.Similarity
 
 /** Picks and moves nodes and shapes. A drag is one step. */
 internal class SelectTool(private val host: ToolHost, private val isLasso: Boolean = false) : Tool {
-    private enum class Drag { NONE, WAITING, NODES, SHAPES, HANDLE, AREA }
+    private enum class Drag { NONE, WAITING, NODES, SHAPES, HANDLE, AREA, PICTURE }
 
     private var drag = Drag.NONE
     private var pressed = Point2(0.0, 0.0)
@@ -26,6 +26,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
     private var handle: ShapeHandle? = null
     private val lasso = ArrayList<Point2>()
     private var isOverNode = -1
+    private var isOverArrow = false
 
     override var preview: Preview = Preview.NOTHING
         private set
@@ -35,9 +36,13 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
     override val hint: String
         get() = when {
             drag == Drag.NODES && isOverNode >= 0 -> "Release to merge with node $isOverNode"
+            isOverArrow -> "Click the arrow to turn the shape round: what is included is left out, and the other way about"
+            drag == Drag.PICTURE -> "Release to put the picture there; Esc cancels"
             drag == Drag.NODES || drag == Drag.SHAPES || drag == Drag.HANDLE -> "Release to move; Alt suspends snapping, Esc cancels"
             drag == Drag.AREA -> "Release to pick the nodes inside; Shift adds to what is picked"
             host.state.selection.nodes.isNotEmpty() -> "Drag to move, onto another node to merge; Delete removes"
+            host.state.selection.isEmpty && host.state.document.picture?.isLocked == false ->
+                "Drag the picture, or lock it (menu Picture) to pick nodes over it"
             host.state.selection.isEmpty -> "Click a shape or a node, or drag a box round nodes"
             else -> "Drag to move, a square to reshape; click the arrow to reverse"
         }
@@ -53,8 +58,9 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
         handle = handles().minByOrNull { it.point.distanceTo(pressed) }?.takeIf { it.point.distanceTo(pressed) <= reach && !input.isShiftDown }
         grabbed = Picking.node(document, input.x, input.y, reach)
         val arrow = if (grabbed < 0 && handle == null) DirectionArrow.at(document, input.x, input.y, ARROW * input.pixel) else null
-        if (arrow != null && arrow.shape in host.state.selection.shapes) {
+        if (arrow != null && !input.isShiftDown) {
             drag = Drag.NONE
+            host.select(Selection.ofShape(arrow.shape))
             host.execute(ShapeCommands.reverse(setOf(arrow.shape)))
             return
         }
@@ -67,6 +73,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
         val hit = if (grabbed >= 0) Selection.ofNode(grabbed) else segment?.selection()
         if (hit == null || hit.isEmpty) {
             startArea(input)
+            if (!isLasso && !input.isShiftDown && PictureDrag.isOver(host, pressed)) drag = Drag.PICTURE
             return
         }
         anchor = if (grabbed >= 0) document.nodes.point(grabbed) else nearerEnd(segment!!)
@@ -85,6 +92,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
                 if (isLasso) lasso.add(at) else extend(at)
                 preview = Preview(lasso = lasso.toList())
             }
+            Drag.PICTURE -> preview = Preview(listOf(PictureDrag.frame(host, pressed, at)))
             Drag.NODES -> showNodes(snapped(input))
             Drag.SHAPES -> showShapes(snapped(input))
             Drag.HANDLE -> showHandle(snapped(input))
@@ -102,6 +110,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
             Drag.SHAPES -> moved(snapped(input)).let { if (!isIdle(it)) host.execute(TransformSelection(it, "move")) }
             Drag.HANDLE -> pull(snapped(input).point)
             Drag.AREA -> pickArea(input)
+            Drag.PICTURE -> PictureDrag.drop(host, pressed, Point2(input.x, input.y), SLACK * input.pixel)
             Drag.NONE, Drag.WAITING -> Unit
         }
     }
@@ -109,6 +118,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
     override fun move(input: PointerInput) {
         val reach = Snapper.REACH * input.pixel
         val node = Picking.node(host.state.document, input.x, input.y, reach)
+        isOverArrow = node < 0 && DirectionArrow.at(host.state.document, input.x, input.y, ARROW * input.pixel) != null
         preview = if (node < 0) Preview.NOTHING else Preview(snap = SnapPoint(host.state.document.nodes.point(node), SnapKind.NODE, node))
     }
 
@@ -132,7 +142,7 @@ internal class SelectTool(private val host: ToolHost, private val isLasso: Boole
 
     private fun handles(): List<ShapeHandle> {
         val shape = host.state.selection.onlyShape
-        return if (shape < 0) emptyList() else ShapeHandles.of(host.state.document.path.shape(shape))
+        return if (shape < 0) emptyList() else ShapeHandles.of(host.state.document.path, shape)
     }
 
     private fun pick(hit: Selection, adds: Boolean) {

@@ -1,70 +1,41 @@
 package org.trigrid.editor.app
 
+import java.nio.file.Files
+import java.util.concurrent.Callable
+import java.util.concurrent.TimeUnit
 import javafx.scene.Node
 import javafx.scene.control.Labeled
 import javafx.scene.control.TextField
 import javafx.scene.input.KeyCode
 import javafx.scene.input.MouseButton
 import javafx.stage.Stage
-import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
-import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.EnabledIf
-import org.junit.jupiter.api.extension.ExtendWith
 import org.testfx.api.FxRobot
-import org.testfx.framework.junit5.ApplicationExtension
 import org.testfx.framework.junit5.Start
+import org.testfx.util.NodeQueryUtils
 import org.testfx.util.WaitForAsyncUtils
+import org.trigrid.domain.Path
 import org.trigrid.editor.canvas.Box
 import org.trigrid.editor.files.Gallery
 import org.trigrid.editor.files.Preferences
 import org.trigrid.editor.tool.ShapeKind
+import org.trigrid.geometry.Point2
 import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
 import org.trigrid.project.Project
 import org.trigrid.project.ProjectFile
-import org.trigrid.domain.Path
 import org.trigrid.shape.Circle
 import org.trigrid.shape.Line
 import org.trigrid.shape.Rectangle
-import org.trigrid.geometry.Point2
-import java.nio.file.Files
-import java.util.concurrent.Callable
-import java.util.concurrent.Executors
-import java.util.concurrent.TimeUnit
 
 /** The window with a real mouse and real keys. */
-@EnabledIf(
-    value = "org.trigrid.editor.app.Display#isThere",
-    disabledReason = "there is no display; run the tests under xvfb-run to have the window tested",
-)
-@ExtendWith(ApplicationExtension::class)
-internal class EditorWindowTest {
-    private val folder = Files.createTempDirectory("trigrid-window")
-    private lateinit var window: EditorWindow
-
+internal class EditorWindowTest : WindowFixture() {
     @Start
-    fun start(stage: Stage) {
-        System.setProperty("trigrid.home", folder.toString())
-        val preferences = Preferences(folder)
-        preferences["theme"] = "LIGHT"
-        Theme.LIGHT.apply()
-        window = EditorWindow(stage, preferences, Executors.newCachedThreadPool { Thread(it).apply { isDaemon = true } })
-        stage.show()
-        window.startDrawing()
-        window.canvas.layout()
-        window.session.selectTool()
-    }
-
-    @AfterEach
-    fun close() {
-        WaitForAsyncUtils.asyncFx { window.canvas.close() }.get()
-        Files.walk(folder).sorted(Comparator.reverseOrder()).forEach { Files.delete(it) }
-    }
+    fun start(stage: Stage) = open(stage)
 
     @Test
     fun `each shape is drawn with mouse and keys, undone and redone`(robot: FxRobot) {
@@ -142,6 +113,60 @@ internal class EditorWindowTest {
     }
 
     @Test
+    fun `an opening is connected and the front is played by keys`(robot: FxRobot) {
+        show(robot, Box(0.0, 0.0, 12.0, 8.0))
+        robot.type(KeyCode.R).clickOn(place(1.0, 1.0)).clickOn(place(11.0, 7.0))
+        robot.type(KeyCode.O).clickOn(place(5.0, 4.0)).clickOn(place(6.0, 4.0))
+        robot.type(KeyCode.V).clickOn(place(4.03, 4.2))
+        robot.push(KeyCode.CONTROL, KeyCode.K)
+        assertEquals("connect opening", window.session.undoName)
+        assertEquals(1, window.session.document.path.walks().size)
+
+        robot.push(KeyCode.SHIFT, KeyCode.F6)
+        WaitForAsyncUtils.waitFor(20, TimeUnit.SECONDS, Callable { onFx { window.session.playback != null } })
+        robot.type(KeyCode.RIGHT).type(KeyCode.RIGHT).type(KeyCode.LEFT)
+        assertEquals(1, onFx { window.session.playback!!.position })
+        robot.type(KeyCode.SPACE)
+        WaitForAsyncUtils.waitFor(20, TimeUnit.SECONDS, Callable { onFx { window.session.playback!!.position > 3 } })
+        robot.clickOn("#front-step")
+        assertFalse(onFx { window.session.playback!!.isPlaying })
+        robot.clickOn("#front-last")
+        assertEquals(0, onFx { window.session.playback!!.front.size })
+        robot.clickOn("#front-stop")
+        assertNull(onFx { window.session.playback })
+    }
+
+    @Test
+    fun `Alt held for the mouse suspends snapping and does not open the menu`(robot: FxRobot) {
+        show(robot, Box(0.0, 0.0, 12.0, 8.0))
+        robot.type(KeyCode.L).moveTo(place(2.03, 2.04)).press(KeyCode.ALT).moveTo(place(2.031, 2.041)).clickOn(MouseButton.PRIMARY).release(KeyCode.ALT)
+        robot.write("5").type(KeyCode.TAB).write("3").type(KeyCode.ENTER)
+        val line = window.session.document.path.shape(0) as Line
+        assertEquals(Point2(5.0, 3.0), line.lastPoint)
+        assertTrue(line.firstPoint != Point2(2.0, 2.0) && line.firstPoint.distanceTo(Point2(2.0, 2.0)) < 0.1)
+    }
+
+    @Test
+    fun `a picture laid behind is shown, dragged and locked`(robot: FxRobot) {
+        show(robot, Box(0.0, 0.0, 12.0, 8.0))
+        val file = folder.resolve("behind.png")
+        val red = java.awt.image.BufferedImage(60, 40, java.awt.image.BufferedImage.TYPE_INT_RGB)
+        for (x in 0 until 60) for (y in 0 until 40) red.setRGB(x, y, 0xFF0000)
+        javax.imageio.ImageIO.write(red, "png", file.toFile())
+        onFx { window.setPicture(file) }
+        show(robot, Box(0.0, 0.0, 12.0, 8.0))
+        WaitForAsyncUtils.waitFor(20, TimeUnit.SECONDS, Callable { onFx { window.session.pictureSize != null } })
+        assertTrue(colourAt(6.13, 4.13).let { it.red > 0.9 && it.green < 0.7 })
+        val before = window.session.document.picture!!.lowerLeft
+        robot.drag(place(6.0, 4.0), MouseButton.PRIMARY).dropTo(place(7.0, 4.0))
+        assertEquals(before.x + 1, window.session.document.picture!!.lowerLeft.x, 0.05)
+        robot.push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.L)
+        assertEquals("lock picture", window.session.undoName)
+        robot.drag(place(6.0, 4.0), MouseButton.PRIMARY).dropTo(place(5.0, 4.0))
+        assertEquals("lock picture", window.session.undoName)
+    }
+
+    @Test
     fun `meshing in the background is cancelled`(robot: FxRobot) {
         onFx {
             window.openCase(Gallery.HAND)
@@ -173,35 +198,9 @@ internal class EditorWindowTest {
         show(robot, Box(0.0, 0.0, 12.0, 8.0))
         robot.type(KeyCode.R).clickOn(place(2.0, 2.0)).clickOn(place(6.0, 6.0))
         WaitForAsyncUtils.asyncFx { window.exit() }
-        WaitForAsyncUtils.waitFor(10, TimeUnit.SECONDS, Callable { robot.lookup("Do not save").tryQuery<Node>().isPresent })
+        WaitForAsyncUtils.waitFor(10, TimeUnit.SECONDS, Callable { robot.lookup("Cancel").match(NodeQueryUtils.isVisible()).tryQuery<Node>().isPresent })
         robot.clickOn("Cancel")
         assertTrue(window.stage.isShowing)
         assertTrue(window.stage.title.startsWith("•"))
     }
-
-    private fun show(robot: FxRobot, box: Box) {
-        WaitForAsyncUtils.waitForFxEvents()
-        onFx { window.canvas.fit(box) }
-        robot.interact { window.canvas.requestFocus() }
-    }
-
-    private fun place(x: Double, y: Double): javafx.geometry.Point2D {
-        WaitForAsyncUtils.waitForFxEvents()
-        return onFx {
-            val t = window.canvas.transform
-            window.canvas.localToScreen(t.screenX(x), t.screenY(y))
-        }
-    }
-
-    private fun waitForMesh(): org.trigrid.editor.meshing.MeshView {
-        WaitForAsyncUtils.waitFor(20, TimeUnit.SECONDS, Callable { onFx { window.session.mesh != null } })
-        return assertNotNull(window.session.mesh).let { window.session.mesh!! }
-    }
-
-    private fun text(): String {
-        WaitForAsyncUtils.waitForFxEvents()
-        return ProjectFile.format(window.session.document.project)
-    }
-
-    private fun <T> onFx(action: () -> T): T = WaitForAsyncUtils.asyncFx(Callable { action() }).get()
 }

@@ -1,11 +1,23 @@
 package org.trigrid.editor.tool
 
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.trigrid.geometry.Point2
 
 class CoordinateEntryTest {
+    @Test
+    fun `after the first number Tab goes on to the second`() {
+        for (text in listOf("3", "@-1.5", " +2e3 ")) {
+            assertTrue(CoordinateEntry.awaitsSecond(text), text)
+            assertNotNull(CoordinateEntry.parse(CoordinateEntry.withSeparator(text) + "4", null))
+        }
+        for (text in listOf("", "3,", "3,4", "@2<", "x")) assertFalse(CoordinateEntry.awaitsSecond(text), text)
+    }
+
     private val last = Point2(10.0, 20.0)
 
     @Test

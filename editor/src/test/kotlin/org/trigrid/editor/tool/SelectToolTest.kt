@@ -101,13 +101,15 @@ class SelectToolTest {
     }
 
     @Test
-    fun `a click on the arrow of the picked shape turns it round`() {
+    fun `one click on an arrow turns its shape round, and picks it`() {
         val arrow = session.document.arrows.single()
-        session.click(arrow.place.x, arrow.place.y)
-        assertEquals(Direction.ANTICLOCKWISE, (session.document.path.shape(0) as Rectangle).direction)
         session.click(arrow.place.x, arrow.place.y)
         assertEquals(Direction.CLOCKWISE, (session.document.path.shape(0) as Rectangle).direction)
         assertEquals("change direction", session.undoName)
+        assertEquals(setOf(0), session.selection.shapes)
+        session.undo()
+        session.click(arrow.place.x, arrow.place.y, shift = true)
+        assertEquals(Direction.ANTICLOCKWISE, (session.document.path.shape(0) as Rectangle).direction)
     }
 
     @Test
