@@ -14,6 +14,7 @@ internal object FrontMesher {
      * @param monitor hears the stage FRONT from 0 to 1.
      * @param listener hears of every element, or null.
      */
+    @JvmOverloads
     fun mesh(
         domain: Domain,
         sizes: SizeField,
