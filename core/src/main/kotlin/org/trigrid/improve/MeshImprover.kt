@@ -33,7 +33,10 @@ internal class MeshImprover(
         changes.touchAll()
         flipper.runAll(progress)
         for (round in 0 until ROUNDS) mendValences()
-        for (round in 0 until TRIALS) tryPatches()
+        for (round in 0 until TRIALS) {
+            if (round > 0) smoother.sweep(progress)
+            tryPatches()
+        }
         flipper.byQuality = true
         progress.stage(0.15)
         flipper.runAll(progress)
@@ -61,12 +64,10 @@ internal class MeshImprover(
 
     private fun tryPatches() {
         changes.beginTrials()
-        progress.stage(0.09)
+        progress.stage(0.10)
         trials.tryLengths(progress)
-        progress.stage(0.09)
+        progress.stage(0.11)
         trials.tryFlips(progress)
-        progress.stage(0.05)
-        smoother.sweep(progress)
     }
 
     private companion object {
