@@ -10,7 +10,7 @@ import java.util.concurrent.Callable
     name = "edit",
     description = ["Open the editor, a window in which domains are drawn and meshed."],
     mixinStandardHelpOptions = true,
-    footer = ["", "Example:", "  trigrid edit src-test-data/domains/plate.wkt"],
+    footer = ["", "Example:", "  trigrid edit src-test-data/domains/hand.geojson"],
 )
 internal class EditCommand(private val session: Session) : Callable<Int> {
     @Parameters(paramLabel = "FILE", arity = "0..1", description = ["A project or a polygon file to open."])

@@ -23,13 +23,19 @@ internal class ExportActions(
     fun mesh() {
         val mesh = session.mesh ?: return session.say("Make a mesh first, then export it", true)
         val chooser = files.chooser("Export the mesh")
-        val version22 = FileChooser.ExtensionFilter("Gmsh mesh 2.2", "*.msh")
-        val version41 = FileChooser.ExtensionFilter("Gmsh mesh 4.1", "*.msh")
-        chooser.extensionFilters.addAll(version22, version41)
-        chooser.initialFileName = baseName() + ".msh"
+        val formats = MeshFormats.all().filter { it.canWrite }
+        val filters = formats.map { format -> FileChooser.ExtensionFilter(format.title, format.endings.map { "*$it" }) }
+        chooser.extensionFilters.addAll(filters)
+        chooser.initialFileName = baseName() + formats.first().endings.first()
         val chosen = chooser.showSaveDialog(window())?.toPath() ?: return
-        val format = if (chooser.selectedExtensionFilter == version41) MeshFormat.MSH_41 else MeshFormat.MSH_22
-        writeMesh(ended(chosen, ".msh"), format)
+        // The chosen kind counts; an ending typed that belongs to another kind counts more.
+        val picked = formats.getOrElse(filters.indexOf(chooser.selectedExtensionFilter)) { formats.first() }
+        if (picked.fits(chosen)) writeMesh(chosen, picked) else writeTyped(chosen, picked)
+    }
+
+    private fun writeTyped(file: Path, picked: MeshFormat) {
+        val typed = MeshFormats.forWriting(file)
+        if (typed != null) writeMesh(file, typed) else writeMesh(ended(file, picked.endings.first()), picked)
     }
 
     /** @return whether it was written, as of all below. */

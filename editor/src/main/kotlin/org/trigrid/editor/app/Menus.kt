@@ -43,7 +43,7 @@ internal class Menus(
         session.execute(ShapeCommands.reverse(session.selection.shapes))
     }
     val connect = EditorAction("Connect opening", "Shortcut+K", Icons.CONNECT) { edit.connectOpenings() }
-    private val exportMesh = EditorAction("Export mesh (.msh)…", "Shortcut+E", isPossible = { session.mesh != null }) { export.mesh() }
+    private val exportMesh = EditorAction("Export mesh…", "Shortcut+E", isPossible = { session.mesh != null }) { export.mesh() }
     private val matrix = EditorAction("Matrix before and after renumbering", "F6", isPossible = { session.mesh != null }) { window.showMatrix() }
     private val all = ArrayList<EditorAction>()
     private val keyed = LinkedHashMap<String, String>()

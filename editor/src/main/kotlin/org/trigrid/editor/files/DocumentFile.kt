@@ -19,7 +19,7 @@ internal object DocumentFile {
     const val ENDING = ".trigrid.json"
 
     /** Endings of all files that can be opened. */
-    val patterns = listOf("*$ENDING", "*.geojson", "*.json", "*.wkt", "*.poly")
+    val patterns = listOf("*$ENDING") + DomainFormats.all().filter { it.canRead }.flatMap { it.endings }.distinct().map { "*$it" }
 
     /**
      * Reads a project, or the loops of a polygon file; of several domains in one, all.
