@@ -189,7 +189,7 @@ internal class PatchTrials(
         const val POOR = 0.6
 
         /** Collapses and splits that raise the squared deviations of the valences by more have hardly ever been kept. */
-        const val MOST_CHANGE = 3.0
+        const val MOST_CHANGE = 4.5
 
         /** Where there is less energy around the four nodes to begin with, there is too little to gain. */
         const val CALM_FLIP = 0.31
