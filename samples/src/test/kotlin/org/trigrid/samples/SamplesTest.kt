@@ -1,0 +1,87 @@
+package org.trigrid.samples
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.trigrid.MeshGenerator
+import org.trigrid.MeshOptions
+import org.trigrid.MeshRework
+import org.trigrid.numbering.Numbering
+import org.trigrid.numbering.NumberingMethod
+import org.trigrid.project.ProjectFile
+import org.trigrid.project.ShapeMiddles
+import java.io.ByteArrayOutputStream
+import java.io.PrintStream
+import java.nio.file.Path
+
+/** The samples run, and find what is known of their problems. */
+class SamplesTest {
+    private val paper = Path.of("../src-test-data/paper")
+
+    @Test
+    fun `the error of Poisson's equation falls at second order`() {
+        val coarse = MeshGenerator.generate(ProjectFile.read(paper.resolve("hand.trigrid.json")).toDomain()).mesh
+        val fine = Numbering.renumber(MeshRework.refine(coarse), NumberingMethod.BEST)
+        val before = PoissonOnHand.error(coarse, PoissonOnHand.solve(coarse).u)
+        val after = PoissonOnHand.error(fine, PoissonOnHand.solve(fine).u)
+        assertTrue(before < 0.06, "error $before")
+        assertEquals(2.0, Math.log(before / after) / Math.log(2.0), 0.1)
+    }
+
+    @Test
+    fun `renumbering saves the solver memory, and changes no solution`() {
+        val hand = ProjectFile.read(paper.resolve("hand.trigrid.json")).toDomain().respaced(0.2, 1.0)
+        val unsorted = MeshGenerator.generate(hand, MeshOptions.builder().numbering(NumberingMethod.NONE).build()).mesh
+        val sorted = Numbering.renumber(unsorted, NumberingMethod.BEST)
+        val a = PoissonOnHand.solve(unsorted)
+        val b = PoissonOnHand.solve(sorted)
+        assertEquals(PoissonOnHand.error(unsorted, a.u), PoissonOnHand.error(sorted, b.u), 1e-12)
+        assertTrue(sorted.bandwidth * 5 < unsorted.bandwidth)
+        assertTrue(b.factorEntries * 3L < a.factorEntries, "${b.factorEntries} of ${a.factorEntries}")
+    }
+
+    @Test
+    fun `the stress at the hole is about three times that of the pull`() {
+        val mesh = PlateWithHole.mesh(0.025)
+        val u = PlateWithHole.displacements(mesh)
+        assertEquals(3.03, PlateWithHole.stressAtTop(mesh, u), 0.1)
+        // A plate without a hole would grow by 10 a half-width of 10; one with a small hole grows a little more.
+        val growth = mesh.nodesOn("right").map { u[2 * it] }.average()
+        assertTrue(growth in 10.0..10.5, "growth $growth")
+    }
+
+    @Test
+    fun `the heat that enters the machine part leaves it`() {
+        val project = ProjectFile.read(paper.resolve("machine-part.trigrid.json"))
+        val coarse = MeshGenerator.generate(project.toDomain(), project.options).mesh
+        val fine = MeshRework.refine(coarse, ShapeMiddles(project.path))
+        val heats = listOf(coarse, fine).map { HeatInMachinePart.solve(it) }
+        for (heat in heats) {
+            assertEquals(heat.entering, heat.leaving, 1e-9 * heat.leaving)
+            assertTrue(heat.temperature.min() > 20 && heat.temperature.max() <= 90 + 1e-9)
+        }
+        assertEquals(heats[1].entering, heats[0].entering, 0.01 * heats[1].entering)
+    }
+
+    @Test
+    fun `each program prints its figures`() {
+        val poisson = printed { PoissonOnHand.main(arrayOf("$paper/hand.trigrid.json")) }
+        assertTrue(Regex("""\n +13367 .* 2\.\d\d\n""").containsMatchIn(poisson), poisson)
+        assertTrue(Regex("""\nrenumbered +\d+ +\d+ """).containsMatchIn(poisson), poisson)
+        assertTrue(Regex("""\n +0\.025 +\d+ +[23]\.\d\d\d\n""").containsMatchIn(printed { PlateWithHole.main(emptyArray()) }))
+        val heat = printed { HeatInMachinePart.main(arrayOf("$paper/machine-part.trigrid.json")) }
+        assertEquals(4, heat.trim().lines().size, heat)
+    }
+
+    private fun printed(program: () -> Unit): String {
+        val bytes = ByteArrayOutputStream()
+        val out = System.out
+        System.setOut(PrintStream(bytes, true, Charsets.UTF_8))
+        try {
+            program()
+        } finally {
+            System.setOut(out)
+        }
+        return bytes.toString(Charsets.UTF_8).replace("\r\n", "\n")
+    }
+}
