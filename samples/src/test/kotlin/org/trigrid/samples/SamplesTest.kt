@@ -13,6 +13,9 @@ import org.trigrid.project.ShapeMiddles
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import java.nio.file.Path
+import kotlin.io.path.extension
+import kotlin.io.path.readLines
+import kotlin.io.path.walk
 
 /** The samples run, and find what is known of their problems. */
 class SamplesTest {
@@ -75,6 +78,20 @@ class SamplesTest {
         assertTrue(Regex("""\n +0\.010 +\d+ +2\.9\d\d +3\.0\d\d\n""").containsMatchIn(printed { PlateWithHole.main(emptyArray()) }))
         val heat = printed { HeatInMachinePart.main(arrayOf("$paper/machine-part.trigrid.json")) }
         assertEquals(4, heat.trim().lines().size, heat)
+    }
+
+    @Test
+    fun `the page on embedding shows lines of the samples`() {
+        val sources = Path.of("src/main").walk().filter { it.extension in setOf("java", "kt") }
+            .flatMap { it.readLines() }.map { it.trim() }.toSet()
+        val shown = ArrayList<String>()
+        var isInside = false
+        for (line in Path.of("../docs/embedding.md").readLines()) {
+            if (isInside && !line.startsWith("```")) shown.add(line.trim())
+            if (line.startsWith("```")) isInside = !isInside
+        }
+        assertTrue(shown.size >= 12, "$shown")
+        assertEquals(emptyList<String>(), shown.filter { it !in sources })
     }
 
     private fun printed(program: () -> Unit): String {
