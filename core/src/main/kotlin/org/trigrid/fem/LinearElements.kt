@@ -8,6 +8,8 @@ import org.trigrid.mesh.TriMesh
  * Element Method*, vol. 1, section 4.2).
  *
  * Lengths are in the domain's unit, areas in its square, gradients per that unit. Immutable.
+ *
+ * @sample org.trigrid.samples.HeatInMachinePart.addConduction
  */
 public class LinearElements private constructor(
     @get:JvmName("mesh") public val mesh: TriMesh,

@@ -11,6 +11,8 @@ import java.util.Arrays
  *
  * A program assembles into an array of [entryCount] values: those of [elementEntries] say where each number of an element's
  * matrix is to be added. Immutable.
+ *
+ * @sample org.trigrid.samples.HeatInMachinePart.addConduction
  */
 public class SparsityPattern private constructor(
     private val mesh: TriMesh,

@@ -25,6 +25,7 @@ public object EjmlMatrices {
      * Value k stands in EJML's column `r` and row `pattern.column(k)`, where `r` is the pattern's row of entry k: this is the
      * matrix itself if it is symmetric, as those of finite elements mostly are, and else its transpose.
      *
+     * @sample org.trigrid.samples.HeatInMachinePart.solve
      * @param values size entryCount; kept in the matrix, not copied.
      * @throws IllegalArgumentException if there is not one value for each entry.
      */

@@ -124,7 +124,11 @@ public class TriMesh internal constructor(
     /** The domain that the mesh fills: its boundary edges as loops, and its embedded edges, with their tags. */
     public fun outline(): Domain = MeshOutline.of(this)
 
-    /** Numbers of the tagged edges of group [tag], ascending; for loads along a boundary. Empty for an unknown name. */
+    /**
+     * Numbers of the tagged edges of group [tag], ascending; for loads along a boundary. Empty for an unknown name.
+     *
+     * @sample org.trigrid.samples.HeatInMachinePart.addFilm
+     */
     public fun edgesOn(tag: String): IntArray {
         val index = tags.indexOf(tag)
         return edgeTags.indices.filter { edgeTags[it] == index }.toIntArray()
