@@ -1,11 +1,10 @@
 package org.trigrid.fem
 
-import org.trigrid.mesh.MeshTopology
 import org.trigrid.mesh.TriMesh
 import java.util.Arrays
 
 /**
- * Which entries of the coefficient matrix of linear elements are not zero, in compressed rows: the unknowns of a node meet
+ * Which entries of a coefficient matrix of finite elements are not zero, in compressed rows: the unknowns of a node meet
  * their own and those of all nodes with which it shares an element. Symmetric, so the same arrays are its compressed
  * columns. Component c of a node is unknown `unknownsPerNode * node + c`.
  *
@@ -15,7 +14,9 @@ import java.util.Arrays
  * @sample org.trigrid.samples.HeatInMachinePart.addConduction
  */
 public class SparsityPattern private constructor(
-    private val mesh: TriMesh,
+    private val elementNodes: IntArray,
+    /** 3 for linear triangles. */
+    @get:JvmName("nodesPerElement") public val nodesPerElement: Int,
     /** 1 for a scalar field, 2 for plane displacements. */
     @get:JvmName("unknownsPerNode") public val unknownsPerNode: Int,
     internal val starts: IntArray,
@@ -46,24 +47,25 @@ public class SparsityPattern private constructor(
         Math.max(-1, Arrays.binarySearch(columns, starts[row], starts[row + 1], column))
 
     /**
-     * Entries to which the numbers of each element's matrix are added. That matrix has n = 3 * [unknownsPerNode] rows,
-     * component by component for corner 0, then corners 1 and 2; its row i and column j go to
-     * `elementEntries()[n * n * element + n * i + j]`. A new array of n * n numbers an element.
+     * Entries to which the numbers of each element's matrix are added. That matrix has
+     * n = [nodesPerElement] * [unknownsPerNode] rows, component by component for its first node, then the next; its row i and
+     * column j go to `elementEntries()[n * n * element + n * i + j]`. A new array of n * n numbers an element.
      *
      * @throws IllegalArgumentException if an array cannot hold that many.
      */
     public fun elementEntries(): IntArray {
-        val n = 3 * unknownsPerNode
-        val result = IntArray(sizeOf(n.toLong() * n * mesh.elementCount))
+        val n = nodesPerElement * unknownsPerNode
+        val elementCount = elementNodes.size / nodesPerElement
+        val result = IntArray(sizeOf(n.toLong() * n * elementCount))
         var at = 0
-        for (element in 0 until mesh.elementCount) {
+        for (element in 0 until elementCount) {
             for (i in 0 until n) for (j in 0 until n) result[at++] = entryOf(unknown(element, i), unknown(element, j))
         }
         return result
     }
 
     private fun unknown(element: Int, local: Int) =
-        unknownsPerNode * mesh.nodeOf(element, local / unknownsPerNode) + local % unknownsPerNode
+        unknownsPerNode * elementNodes[nodesPerElement * element + local / unknownsPerNode] + local % unknownsPerNode
 
     public companion object {
         /** The pattern of one unknown a node. */
@@ -71,17 +73,39 @@ public class SparsityPattern private constructor(
         public fun of(mesh: TriMesh): SparsityPattern = of(mesh, 1)
 
         /**
+         * The pattern of linear elements.
+         *
          * @param unknownsPerNode 1 or more.
          * @throws IllegalArgumentException if it is less, or there are more entries than an array can hold.
          */
         @JvmStatic
-        public fun of(mesh: TriMesh, unknownsPerNode: Int): SparsityPattern {
+        public fun of(mesh: TriMesh, unknownsPerNode: Int): SparsityPattern =
+            of(mesh.nodeCount, mesh.elements, 3, unknownsPerNode)
+
+        /**
+         * The pattern of elements of any kind, such as triangles with 6 nodes.
+         *
+         * @param elementNodes [nodesPerElement] nodes an element, numbered from 0; not modified.
+         * @throws IllegalArgumentException if a number is out of range, the array does not hold whole elements, or there are more
+         * entries than an array can hold.
+         */
+        @JvmStatic
+        public fun ofElements(nodeCount: Int, elementNodes: IntArray, nodesPerElement: Int, unknownsPerNode: Int): SparsityPattern {
+            require(nodesPerElement >= 1) { "nodes per element must be 1 or more, not $nodesPerElement" }
+            require(elementNodes.size % nodesPerElement == 0) {
+                "${elementNodes.size} nodes are no elements of $nodesPerElement nodes each"
+            }
+            for (node in elementNodes) require(node in 0 until nodeCount) { "an element has node $node of $nodeCount nodes" }
+            return of(nodeCount, elementNodes.copyOf(), nodesPerElement, unknownsPerNode)
+        }
+
+        private fun of(nodeCount: Int, elementNodes: IntArray, nodesPerElement: Int, unknownsPerNode: Int): SparsityPattern {
             require(unknownsPerNode >= 1) { "unknowns per node must be 1 or more, not $unknownsPerNode" }
-            val nodeStarts = IntArray(mesh.nodeCount + 1)
-            val nodes = rows(mesh, nodeStarts)
+            val nodeStarts = IntArray(nodeCount + 1)
+            val nodes = rows(nodeCount, elementNodes, nodesPerElement, nodeStarts)
             val k = unknownsPerNode
-            if (k == 1) return SparsityPattern(mesh, 1, nodeStarts, nodes)
-            val starts = IntArray(sizeOf(k.toLong() * mesh.nodeCount + 1))
+            if (k == 1) return SparsityPattern(elementNodes, nodesPerElement, 1, nodeStarts, nodes)
+            val starts = IntArray(sizeOf(k.toLong() * nodeCount + 1))
             val columns = IntArray(sizeOf(k.toLong() * k * nodes.size))
             var at = 0
             for (row in 0 until starts.size - 1) {
@@ -90,21 +114,37 @@ public class SparsityPattern private constructor(
                 }
                 starts[row + 1] = at
             }
-            return SparsityPattern(mesh, k, starts, columns)
+            return SparsityPattern(elementNodes, nodesPerElement, k, starts, columns)
         }
 
         /** For each node itself and its neighbours, ascending; [starts], all zeros, gets where they begin. */
-        private fun rows(mesh: TriMesh, starts: IntArray): IntArray {
-            val edges = MeshTopology.edges(mesh.elements, mesh.neighbours)
-            for (node in 0 until mesh.nodeCount) starts[node + 1] = 1
-            for (node in edges) starts[node + 1]++
-            for (node in 1 until starts.size) starts[node] += starts[node - 1]
-            val rows = IntArray(starts[mesh.nodeCount])
-            val at = starts.copyOf()
-            for (node in 0 until mesh.nodeCount) rows[at[node]++] = node
-            for (i in edges.indices) rows[at[edges[i]]++] = edges[i xor 1]
-            for (node in 0 until mesh.nodeCount) Arrays.sort(rows, starts[node], starts[node + 1])
-            return rows
+        private fun rows(nodeCount: Int, elementNodes: IntArray, nodesPerElement: Int, starts: IntArray): IntArray {
+            val firsts = IntArray(nodeCount + 1)
+            for (node in elementNodes) firsts[node + 1]++
+            for (node in 1..nodeCount) firsts[node] += firsts[node - 1]
+            val elements = IntArray(elementNodes.size)
+            val next = firsts.copyOf()
+            for (i in elementNodes.indices) elements[next[elementNodes[i]]++] = i / nodesPerElement
+            val seenBy = IntArray(nodeCount) { -1 }
+            var rows = IntArray(sizeOf(7L * nodeCount + 1))
+            var at = 0
+            for (node in 0 until nodeCount) {
+                val needed = at.toLong() + 1 + (firsts[node + 1] - firsts[node]).toLong() * nodesPerElement
+                if (needed > rows.size) rows = rows.copyOf(sizeOf(maxOf(needed, minOf(2L * rows.size, Int.MAX_VALUE - 8L))))
+                rows[at++] = node
+                seenBy[node] = node
+                for (i in firsts[node] until firsts[node + 1]) {
+                    for (k in nodesPerElement * elements[i] until nodesPerElement * (elements[i] + 1)) {
+                        val other = elementNodes[k]
+                        if (seenBy[other] == node) continue
+                        seenBy[other] = node
+                        rows[at++] = other
+                    }
+                }
+                Arrays.sort(rows, starts[node], at)
+                starts[node + 1] = at
+            }
+            return rows.copyOf(at)
         }
 
         private fun sizeOf(entries: Long): Int {

@@ -68,6 +68,23 @@ class SparsityPatternTest {
     }
 
     @Test
+    fun `elements of six nodes`() {
+        // A square of two triangles, the middles of their edges numbered from 4.
+        val nodes = intArrayOf(0, 1, 2, 4, 5, 6, 0, 2, 3, 6, 7, 8)
+        val pattern = SparsityPattern.ofElements(9, nodes, 6, 1)
+        assertArrayEquals(IntArray(9) { it }, pattern.columns().copyOfRange(pattern.rowStart(0), pattern.rowStart(1)))
+        assertArrayEquals(intArrayOf(0, 2, 3, 6, 7, 8), pattern.columns().copyOfRange(pattern.rowStart(3), pattern.rowStart(4)))
+        assertEquals(3 * 9 + 6 * 6, pattern.entryCount)
+        val entries = pattern.elementEntries()
+        assertEquals(72, entries.size)
+        for (i in 0..5) for (j in 0..5) {
+            assertEquals(pattern.entryOf(nodes[6 + i], nodes[6 + j]), entries[36 + 6 * i + j])
+        }
+        assertThrows<IllegalArgumentException> { SparsityPattern.ofElements(8, nodes, 6, 1) }
+        assertThrows<IllegalArgumentException> { SparsityPattern.ofElements(9, nodes, 5, 1) }
+    }
+
+    @Test
     fun `no unknowns and too many are refused`() {
         assertThrows<IllegalArgumentException> { SparsityPattern.of(mesh, 0) }
         assertThrows<IllegalArgumentException> { SparsityPattern.of(mesh, 1_000_000) }
