@@ -1,7 +1,17 @@
 plugins {
     alias(libs.plugins.kotlin.jvm)
     alias(libs.plugins.kotlin.serialization)
+    alias(libs.plugins.dokka)
     `java-library`
+}
+
+// `./gradlew :core:dokkaGenerate` writes the API pages, with lines of the samples, to build/dokka.
+dokka {
+    moduleName.set("trigrid-core")
+    dokkaSourceSets.main {
+        includes.from("module.md")
+        samples.from("../samples/src/main/kotlin")
+    }
 }
 
 kotlin {

@@ -1,8 +1,8 @@
 package org.trigrid.interop
 
 import org.ejml.data.DMatrixSparseCSC
+import org.trigrid.fem.SparsityPattern
 import org.trigrid.mesh.TriMesh
-import org.trigrid.numbering.NodeGraph
 import java.util.Arrays
 
 /** Meshes as EJML matrices. */
@@ -14,22 +14,30 @@ public object EjmlMatrices {
      */
     @JvmStatic
     public fun structure(mesh: TriMesh): DMatrixSparseCSC {
-        val graph = NodeGraph.of(mesh)
-        val nodes = mesh.nodeCount
-        val entries = graph.targets.size + nodes
-        val matrix = DMatrixSparseCSC(nodes, nodes, entries)
-        var at = 0
-        for (node in 0 until nodes) {
-            matrix.col_idx[node] = at
-            val from = at
-            matrix.nz_rows[at++] = node
-            for (k in graph.starts[node] until graph.starts[node + 1]) matrix.nz_rows[at++] = graph.targets[k]
-            Arrays.sort(matrix.nz_rows, from, at)
-        }
-        matrix.col_idx[nodes] = at
-        matrix.nz_length = at
+        val pattern = SparsityPattern.of(mesh)
+        val ones = DoubleArray(pattern.entryCount)
+        Arrays.fill(ones, 1.0)
+        return matrix(pattern, ones)
+    }
+
+    /**
+     * The matrix of a pattern and the values of its entries: what a program has assembled, ready for EJML's solvers.
+     * Value k stands in EJML's column `r` and row `pattern.column(k)`, where `r` is the pattern's row of entry k: this is the
+     * matrix itself if it is symmetric, as those of finite elements mostly are, and else its transpose.
+     *
+     * @sample org.trigrid.samples.HeatInMachinePart.solve
+     * @param values size entryCount; kept in the matrix, not copied.
+     * @throws IllegalArgumentException if there is not one value for each entry.
+     */
+    @JvmStatic
+    public fun matrix(pattern: SparsityPattern, values: DoubleArray): DMatrixSparseCSC {
+        require(values.size == pattern.entryCount) { "${pattern.entryCount} entries, but ${values.size} values" }
+        val matrix = DMatrixSparseCSC(pattern.rowCount, pattern.rowCount, 0)
+        matrix.col_idx = pattern.rowStarts()
+        matrix.nz_rows = pattern.columns()
+        matrix.nz_values = values
+        matrix.nz_length = values.size
         matrix.indicesSorted = true
-        Arrays.fill(matrix.nz_values, 0, at, 1.0)
         return matrix
     }
 }

@@ -124,6 +124,16 @@ public class TriMesh internal constructor(
     /** The domain that the mesh fills: its boundary edges as loops, and its embedded edges, with their tags. */
     public fun outline(): Domain = MeshOutline.of(this)
 
+    /**
+     * Numbers of the tagged edges of group [tag], ascending; for loads along a boundary. Empty for an unknown name.
+     *
+     * @sample org.trigrid.samples.HeatInMachinePart.addFilm
+     */
+    public fun edgesOn(tag: String): IntArray {
+        val index = tags.indexOf(tag)
+        return edgeTags.indices.filter { edgeTags[it] == index }.toIntArray()
+    }
+
     /** Nodes on the edges of group [tag], ascending; for boundary conditions. Empty for an unknown name. */
     public fun nodesOn(tag: String): IntArray {
         val index = tags.indexOf(tag)

@@ -18,7 +18,7 @@ class BuildEqualityTest {
 
     @Test
     fun `same modules under the same coordinates`() {
-        assertEquals(listOf("core", "cli", "editor", "benchmarks"), maven.modules)
+        assertEquals(listOf("core", "cli", "editor", "benchmarks", "samples"), maven.modules)
         assertEquals(maven.modules, gradle.modules)
         assertEquals("trigrid", gradle.rootName)
         assertEquals(maven.groupId, gradle.group)
@@ -30,7 +30,10 @@ class BuildEqualityTest {
     fun `same libraries in the same versions`() {
         assertTrue(maven.managedVersions.size >= 12)
         assertEquals(maven.managedVersions.toSortedMap(), (gradle.libraryVersions - launcher).toSortedMap())
-        assertEquals(maven.kotlinVersion, gradle.versions["kotlin"])
+        for ((plugin, version) in gradle.pluginVersions) {
+            val expected = if ("dokka" in plugin) maven.dokkaVersion else maven.kotlinVersion
+            assertEquals(expected, version, plugin)
+        }
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.trigrid.mesh
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class TriMeshTest {
@@ -36,6 +37,19 @@ class TriMeshTest {
             assertEquals(lowest.sorted(), lowest)
             assertEquals(grid.mesh.nodesOn("along x").map { order[it] }.sorted(), other.nodesOn("along x").toList())
         }
+    }
+
+    @Test
+    fun `the edges of a group are those with its tag`() {
+        val mesh = GridMeshes.shaken(8, 6, 1L) { i, j -> i == 3 && j in 2..3 }.mesh
+        assertEquals(mesh.taggedEdgeCount, mesh.tags.sumOf { mesh.edgesOn(it).size })
+        for (tag in mesh.tags) {
+            assertTrue(mesh.edgesOn(tag).isNotEmpty())
+            for (edge in mesh.edgesOn(tag)) assertEquals(tag, mesh.tags[mesh.edgeTag(edge)])
+            val ends = mesh.edgesOn(tag).flatMap { listOf(mesh.edgeStart(it), mesh.edgeEnd(it)) }
+            assertEquals(ends.distinct().sorted(), mesh.nodesOn(tag).toList())
+        }
+        assertEquals(0, mesh.edgesOn("elsewhere").size)
     }
 
     @Test
