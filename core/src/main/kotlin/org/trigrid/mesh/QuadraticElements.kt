@@ -49,7 +49,7 @@ internal class QuadraticElements(private val mesh: TriMesh, private val middles:
             val a = mesh.elements[half]
             val b = mesh.elements[MeshTopology.nextCorner(half)]
             val m = middle(half)
-            for (c in 0..1) xy[2 * m + c] = mesh.xy[2 * a + c] + 0.5 * (mesh.xy[2 * b + c] - mesh.xy[2 * a + c])
+            for (c in 0..1) xy[2 * m + c] = EdgeMiddles.halfway(mesh.xy[2 * a + c], mesh.xy[2 * b + c])
         }
     }
 
@@ -102,7 +102,7 @@ internal class QuadraticElements(private val mesh: TriMesh, private val middles:
         val b = mesh.elements[MeshTopology.nextCorner(half)]
         val part = 1 - steps[edge].toDouble() / STEPS
         for (c in 0..1) {
-            val straight = mesh.xy[2 * a + c] + 0.5 * (mesh.xy[2 * b + c] - mesh.xy[2 * a + c])
+            val straight = EdgeMiddles.halfway(mesh.xy[2 * a + c], mesh.xy[2 * b + c])
             xy[2 * middle(half) + c] = straight + part * offsets[2 * edge + c]
         }
     }

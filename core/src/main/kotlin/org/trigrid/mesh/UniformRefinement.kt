@@ -22,8 +22,8 @@ internal class UniformRefinement(private val mesh: TriMesh, private val middles:
             val a = mesh.elements[half]
             val b = mesh.elements[MeshTopology.nextCorner(half)]
             val m = middle(half)
-            xy[2 * m] = mesh.x(a) + 0.5 * (mesh.x(b) - mesh.x(a))
-            xy[2 * m + 1] = mesh.y(a) + 0.5 * (mesh.y(b) - mesh.y(a))
+            xy[2 * m] = EdgeMiddles.halfway(mesh.x(a), mesh.x(b))
+            xy[2 * m + 1] = EdgeMiddles.halfway(mesh.y(a), mesh.y(b))
         }
         val sides = TaggedSides(mesh)
         for (edge in 0 until mesh.taggedEdgeCount) {
