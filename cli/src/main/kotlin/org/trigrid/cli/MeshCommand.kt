@@ -35,6 +35,7 @@ import java.util.concurrent.Callable
         "  trigrid mesh coast.geojson -o coast.msh --format msh41 --sizes grade --report -",
         "  trigrid mesh disc.trigrid.json -o disc.inp --order 2",
         "  trigrid mesh plate.wkt -o plate.vtu --spacing 0.05 --max-size 0.2",
+        "  trigrid mesh plate.wkt -o plate.msh --size-source 0.01@0.5,0.4 --size-source 0.05@1,0,1,1",
         "  trigrid mesh outlines 'more/*.dxf' --out-dir meshes --report meshes/report.jsonl --resume",
         "",
         "A file with several polygons makes as many meshes: OUT-1.msh, OUT-2.msh, ...",
