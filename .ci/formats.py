@@ -4,7 +4,8 @@
     python formats.py TRIGRID FOLDER
 
 Makes a plate of two by one with named sides in FOLDER, converts its mesh to every format, and compares what each reader
-finds with the mesh: Gmsh, meshio, VTK and Triangle; CalculiX solves the plate in tension. A reader that is not installed is a failure.
+finds with the mesh: Gmsh, meshio, VTK and Triangle; CalculiX solves the plate in tension. Of a disc of six-node elements Gmsh
+finds the area, whose error must fall with the fourth power of the spacing. A reader that is not installed is a failure.
 Exit status 1 when something fails.
 """
 import contextlib
@@ -107,8 +108,11 @@ def grouped(lines, tags):
 
 def by_meshio(path, kind=None):
     import meshio
-    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
-        return meshio.read(path, kind)
+    with contextlib.redirect_stdout(io.StringIO()) as told, contextlib.redirect_stderr(io.StringIO()):
+        try:
+            return meshio.read(path, kind)
+        except SystemExit:
+            raise ValueError(f"meshio: {told.getvalue().strip()}") from None
 
 
 def check_msh(plate):
@@ -230,6 +234,10 @@ def check_abaqus(plate):
     for name, edges in plate.sides.items():
         if set(mesh.point_sets[name].tolist()) != {node for edge in edges for node in edge}:
             raise ValueError(f"meshio finds another node set {name}")
+    require_tension(plate, 11)
+
+
+def require_tension(plate, nodes):
     with open(plate.path("tension.inp"), "w", encoding="ascii") as file:
         file.write(TENSION)
     done = subprocess.run(["ccx", "tension"], cwd=plate.folder, capture_output=True, text=True, timeout=120)
@@ -238,8 +246,70 @@ def check_abaqus(plate):
     with open(plate.path("tension.dat"), encoding="ascii") as file:
         moves = [float(line.split()[1]) for line in file if re.match(r"\s*\d+\s+[-\d.]", line)]
     # Stress 1, Young's modulus 2: a length of 2 grows by 1.
-    if len(moves) < 11 or max(abs(m - 1) for m in moves) > 1e-5:
+    if len(moves) < nodes or max(abs(m - 1) for m in moves) > 1e-5:
         raise ValueError(f"CalculiX moves the right side by {moves}")
+
+
+def check_second_order(plate):
+    errors = {}
+    for spacing in (0.4, 0.2, 0.1):
+        with open(plate.path("disc.trigrid.json"), "w", encoding="utf-8") as file:
+            json.dump({"format": "trigrid", "version": 1, "path": [
+                {"type": "circle", "name": "rim", "firstPoint": [1, 0], "centre": [0, 0], "spacing": spacing}]}, file)
+        for kind in ("msh22", "msh41", "msh22-binary", "msh41-binary", "medit"):
+            path = plate.path(f"disc.{'mesh' if kind == 'medit' else 'msh'}")
+            plate.run("mesh", plate.path("disc.trigrid.json"), "-o", path, "--format", kind, "--order", "2")
+            errors.setdefault(kind, []).append(disc_errors(path))
+    for kind, found in errors.items():
+        for what, values in (("area", [e[0] for e in found]), ("rim", [e[1] for e in found])):
+            if not (values[0] > 12 * values[1] > 144 * values[2]):
+                raise ValueError(f"{kind}: Gmsh finds errors of the {what} {values}")
+    for name in ("disc.vtu", "disc.msh"):
+        plate.run("mesh", plate.path("disc.trigrid.json"), "-o", plate.path(name), "--order", "2")
+        mesh = by_meshio(plate.path(name))
+        for kind in ("triangle6", "line3"):
+            require_middles(np.asarray(mesh.points)[:, :2], mesh.cells_dict[kind])
+    # meshio knows neither CTRIA6 nor CPS6.
+    plate.convert("second.vtu", "--order", "2")
+    triangles = by_meshio(plate.path("second.vtu")).cells_dict["triangle6"]
+    plate.convert("plate.bdf", "--order", "2")
+    with open(plate.path("plate.bdf"), encoding="ascii") as file:
+        fields = [[int(line[i:i + 8]) for i in range(24, 72, 8)] for line in file if line.startswith("CTRIA6")]
+    if not np.array_equal(np.array(fields) - 1, triangles):
+        raise ValueError("plate.bdf: other elements")
+    plate.convert("plate.inp", "--order", "2")
+    require_tension(plate, 21)
+
+
+def require_middles(points, cells):
+    """The nodes after the corners are in the middles of the edges, to within the bulge of the circle."""
+    corners = {6: 3, 3: 2}[cells.shape[1]]
+    for k in range(cells.shape[1] - corners):
+        halfway = (points[cells[:, k]] + points[cells[:, (k + 1) % corners]]) / 2
+        if np.max(np.abs(points[cells[:, corners + k]] - halfway)) > 0.01:
+            raise ValueError("a middle is not between its corners")
+
+
+def disc_errors(path):
+    """What Gmsh finds of the area and the rim of a disc, less the exact values; all Jacobians must be positive."""
+    import gmsh
+    gmsh.initialize(["-noenv"], readConfigFiles=False)
+    try:
+        gmsh.option.setNumber("General.Terminal", 0)
+        gmsh.open(path)
+        sums = {}
+        for kind in (8, 9):
+            places, weights = gmsh.model.mesh.getIntegrationPoints(kind, "Gauss6")
+            _, determinants, _ = gmsh.model.mesh.getJacobians(kind, places)
+            sums[kind] = float(np.sum(np.reshape(determinants, (-1, len(weights))) @ weights))
+        elements, _ = gmsh.model.mesh.getElementsByType(9)
+        if min(gmsh.model.mesh.getElementQualities(elements, "minDetJac")) <= 0:
+            raise ValueError(f"{path}: Gmsh finds a folded element")
+        if gmsh.model.mesh.getElementsByType(2)[0].size:
+            raise ValueError(f"{path}: Gmsh finds elements of three nodes")
+        return abs(sums[9] - np.pi), abs(sums[8] - 2 * np.pi)
+    finally:
+        gmsh.finalize()
 
 
 def main():
@@ -248,7 +318,7 @@ def main():
         return 2
     plate = Plate(os.path.abspath(sys.argv[1]), sys.argv[2])
     failed = 0
-    for check in (check_msh, check_vtu, check_medit, check_su2, check_nastran, check_triangle, check_abaqus):
+    for check in (check_msh, check_vtu, check_medit, check_su2, check_nastran, check_triangle, check_abaqus, check_second_order):
         name = check.__name__.removeprefix("check_")
         try:
             check(plate)

@@ -4,6 +4,7 @@ import org.trigrid.front.Strategy
 import org.trigrid.numbering.NumberingMethod
 import org.trigrid.spacing.SizeFunction
 import org.trigrid.spacing.SizeRules
+import org.trigrid.spacing.SizeSources
 import org.trigrid.spacing.Sizes
 
 /**
@@ -33,6 +34,10 @@ public class MeshOptions private constructor(builder: Builder) {
     @get:JvmName("sizeFunction")
     public val sizeFunction: SizeFunction? = builder.sizeFunction
 
+    /** Points and lines with small elements round them; the smallest of all sizes rules. Default none. */
+    @get:JvmName("sizeSources")
+    public val sizeSources: SizeSources = builder.sizeSources
+
     /** Default [Strategy.ROBUST]. */
     @get:JvmName("strategy")
     public val strategy: Strategy = builder.strategy
@@ -54,7 +59,8 @@ public class MeshOptions private constructor(builder: Builder) {
     public val maxElements: Int = builder.maxElements
 
     /** What the options say about sizes. */
-    internal fun sizeRules(): SizeRules = SizeRules(sizes, gradation, minSize, maxSize, sizeFunction)
+    internal fun sizeRules(): SizeRules =
+        SizeRules(sizes, gradation, minSize, maxSize, sizeFunction, sizeSources)
 
     /** Collects options; the same builder may build several times. */
     public class Builder internal constructor() {
@@ -63,6 +69,7 @@ public class MeshOptions private constructor(builder: Builder) {
         internal var minSize = 0.0
         internal var maxSize = Double.POSITIVE_INFINITY
         internal var sizeFunction: SizeFunction? = null
+        internal var sizeSources = SizeSources.NONE
         internal var strategy = Strategy.ROBUST
         internal var improve = true
         internal var smoothingTolerance = 0.01
@@ -92,6 +99,9 @@ public class MeshOptions private constructor(builder: Builder) {
 
         /** Sets [MeshOptions.sizeFunction]; null for none. */
         public fun sizeFunction(value: SizeFunction?): Builder = apply { sizeFunction = value }
+
+        /** Sets [MeshOptions.sizeSources]. */
+        public fun sizeSources(value: SizeSources): Builder = apply { sizeSources = value }
 
         /** Sets [MeshOptions.strategy]. */
         public fun strategy(value: Strategy): Builder = apply { strategy = value }
@@ -128,6 +138,7 @@ public class MeshOptions private constructor(builder: Builder) {
         it.minSize = minSize
         it.maxSize = maxSize
         it.sizeFunction = sizeFunction
+        it.sizeSources = sizeSources
         it.strategy = strategy
         it.improve = improve
         it.smoothingTolerance = smoothingTolerance

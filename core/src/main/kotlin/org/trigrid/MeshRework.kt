@@ -10,9 +10,12 @@ import org.trigrid.mesh.EdgeSet
 import org.trigrid.mesh.MeshCheck
 import org.trigrid.mesh.MutableMesh
 import org.trigrid.mesh.NodeKind
+import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.mesh.TriMesh
 import org.trigrid.mesh.TriMeshFactory
 import org.trigrid.mesh.UniformRefinement
+import org.trigrid.numbering.Numbering
+import org.trigrid.numbering.NumberingMethod
 import org.trigrid.quality.QualityReport
 
 /** Makes better or finer meshes of meshes that are there, whoever made them. Stateless. */
@@ -32,7 +35,7 @@ public object MeshRework {
      */
     @JvmStatic
     public fun improve(mesh: TriMesh, monitor: ProgressMonitor): TriMesh {
-        requireValid(mesh)
+        MeshCheck.requireValid(mesh)
         val fixedFirst = mesh.renumbered(fixedFirst(mesh))
         val mutable = mutable(fixedFirst)
         val tolerance = MeshOptions.DEFAULT.smoothingTolerance
@@ -61,14 +64,24 @@ public object MeshRework {
      */
     @JvmStatic
     public fun refine(mesh: TriMesh, middles: EdgeMiddles): TriMesh {
-        requireValid(mesh)
+        MeshCheck.requireValid(mesh)
         return UniformRefinement(mesh, middles).refined()
     }
 
-    private fun requireValid(mesh: TriMesh) {
-        val violation = MeshCheck.check(mesh).firstOrNull() ?: return
-        throw IllegalArgumentException("the mesh is not valid: ${violation.message} at (${violation.x}, ${violation.y})")
-    }
+    /** As the other, with straight boundaries. */
+    @JvmStatic
+    public fun secondOrder(mesh: TriMesh): QuadraticMesh = secondOrder(mesh, EdgeMiddles.STRAIGHT)
+
+    /**
+     * The mesh with elements of six nodes, all nodes renumbered for a small bandwidth.
+     *
+     * @param middles where the middles of tagged edges lie, such as a `ShapeMiddles`; those of others lie halfway. A middle that
+     *   would fold an element is moved towards the straight one, which [QuadraticMesh.straightenedEdgeCount] tells.
+     * @throws IllegalArgumentException if [mesh] is not valid by [MeshCheck].
+     */
+    @JvmStatic
+    public fun secondOrder(mesh: TriMesh, middles: EdgeMiddles): QuadraticMesh =
+        Numbering.renumber(QuadraticMesh.of(mesh, middles), NumberingMethod.BEST)
 
     /** New numbers with which given nodes come before others. */
     private fun fixedFirst(mesh: TriMesh): IntArray {

@@ -1,15 +1,19 @@
 package org.trigrid.cli
 
+import org.trigrid.MeshRework
 import org.trigrid.domain.Domain
 import org.trigrid.io.DomainFormat
 import org.trigrid.io.DomainFormats
 import org.trigrid.io.FileFormat
+import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
 import org.trigrid.io.NamedDomain
+import org.trigrid.mesh.EdgeMiddles
 import org.trigrid.project.DomainInputs
 import org.trigrid.project.NodeLoop
 import org.trigrid.project.Project
 import org.trigrid.project.ProjectFile
+import org.trigrid.project.ShapeMiddles
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Model.CommandSpec
@@ -31,6 +35,7 @@ import java.util.concurrent.Callable
         "Examples:",
         "  trigrid convert plate.msh plate.vtu",
         "  trigrid convert plate.msh plate.msh --format msh41-binary",
+        "  trigrid convert plate.msh plate.inp --order 2 --project plate.trigrid.json",
         "  trigrid convert part.dxf part.trigrid.json --spacing 2",
         "  trigrid convert plate.msh outline.geojson",
         "  trigrid convert --list",
@@ -53,6 +58,15 @@ internal class ConvertCommand(private val session: Session) : Callable<Int> {
     var list: Boolean = false
 
     @Mixin
+    lateinit var ordering: OrderArguments
+
+    @Option(
+        names = ["--project"], paramLabel = "FILE",
+        description = ["With --order 2: the project that the mesh was made of; new nodes of its boundary lie on the project's curves."],
+    )
+    var project: Path? = null
+
+    @Mixin
     lateinit var exploding: ExplodingArguments
 
     override fun call(): Int {
@@ -63,7 +77,9 @@ internal class ConvertCommand(private val session: Session) : Callable<Int> {
         val from = input ?: throw ParameterException(spec.commandLine(), "say what to convert: IN and OUT")
         val to = output ?: throw ParameterException(spec.commandLine(), "say what to write: OUT")
         val options = exploding.toOptions(spec.commandLine())
+        if (project != null && ordering.order == 1) throw ParameterException(spec.commandLine(), "--project is for --order 2")
         if (MeshInput.isMesh(from)) return convertMesh(from, to)
+        ordering.check(null, spec.commandLine())
         val target = domainFormat(to)
         if (target == null && !DomainInputs.isProject(to)) {
             val message = "a domain can be written as ${writable()}; meshes of it are made by 'trigrid mesh'"
@@ -81,11 +97,23 @@ internal class ConvertCommand(private val session: Session) : Callable<Int> {
         val isMesh = if (wanted == null) MeshFormats.forWriting(to) != null else MeshFormats.named(wanted) != null
         val asDomain = if (isMesh) null else domainFormat(to)
         val meshFormat = if (asDomain == null) MeshOutput.format(format, to, spec.commandLine()) else null
+        ordering.check(meshFormat, spec.commandLine())
         OutputPlace.check(to)
+        if (ordering.order == 2) return raise(from, to, meshFormat!!)
         val mesh = MeshInput.read(from)
         if (meshFormat != null) MeshFormats.write(mesh, to, meshFormat)
         else writeDomains(listOf(NamedDomain(mesh.regionName, mesh.outline())), to, asDomain!!)
         session.terminal.out.println("$to: ${mesh.nodeCount} nodes, ${mesh.elementCount} elements")
+        return ExitCodes.DONE
+    }
+
+    /** Writes a mesh with elements of six nodes. */
+    private fun raise(from: Path, to: Path, meshFormat: MeshFormat): Int {
+        val curves = project?.let { file -> InputFailure.naming(file) { ProjectFile.read(file) } }
+        val mesh = ValidMesh(session).read(from) ?: return ExitCodes.INVALID_DOMAIN
+        val quadratic = MeshRework.secondOrder(mesh, if (curves == null) EdgeMiddles.STRAIGHT else ShapeMiddles(curves.path))
+        MeshFormats.write(quadratic, to, meshFormat)
+        session.terminal.out.println("$to: ${quadratic.elementCount} elements, ${MeshFigures.secondOrder(quadratic)}")
         return ExitCodes.DONE
     }
 

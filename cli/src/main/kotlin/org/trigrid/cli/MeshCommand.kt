@@ -6,7 +6,6 @@ import org.trigrid.cli.batch.BatchLog
 import org.trigrid.cli.batch.BatchPlan
 import org.trigrid.cli.batch.BatchRun
 import org.trigrid.io.AtomicFile
-import org.trigrid.io.MeshFormats
 import org.trigrid.mesh.TriMesh
 import org.trigrid.picture.Pictures
 import org.trigrid.project.DomainInput
@@ -34,7 +33,9 @@ import java.util.concurrent.Callable
         "Examples:",
         "  trigrid mesh plate.trigrid.json -o plate.msh --picture plate.svg",
         "  trigrid mesh coast.geojson -o coast.msh --format msh41 --sizes grade --report -",
+        "  trigrid mesh disc.trigrid.json -o disc.inp --order 2",
         "  trigrid mesh plate.wkt -o plate.vtu --spacing 0.05 --max-size 0.2",
+        "  trigrid mesh plate.wkt -o plate.msh --size-source 0.01@0.5,0.4 --size-source 0.05@1,0,1,1",
         "  trigrid mesh outlines 'more/*.dxf' --out-dir meshes --report meshes/report.jsonl --resume",
         "",
         "A file with several polygons makes as many meshes: OUT-1.msh, OUT-2.msh, ...",
@@ -75,6 +76,9 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
     lateinit var exploding: ExplodingArguments
 
     @Mixin
+    lateinit var ordering: OrderArguments
+
+    @Mixin
     lateinit var meshing: MeshingArguments
 
     @Option(
@@ -94,14 +98,15 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
         if (jobs != null || resume) usage("--jobs and --resume are for --out-dir")
         val input = Path.of(inputs.singleOrNull() ?: usage("several files need --out-dir, not --output"))
         val meshFormat = MeshOutput.format(format, target, spec.commandLine())
+        ordering.check(meshFormat, spec.commandLine())
         checkPlaces(target)
         val clock = RunClock()
         val domains = clock.reading { InputFailure.naming(input) { DomainInputs.read(input, inputOptions) } }
         val figures = domains.mapIndexed { i, domain ->
             val file = NumberedFiles.name(target, i, domains.size)
             val drawn = picture?.let { NumberedFiles.name(it, i, domains.size) }
-            mesh(input, domain, if (i == 0) clock else RunClock()) { mesh ->
-                MeshFormats.write(mesh, file, meshFormat)
+            mesh(input, domain, if (i == 0) clock else RunClock()) { mesh, ordered ->
+                ordered.write(file, meshFormat)
                 drawn?.let { PictureOutput.write(Pictures.mesh(mesh), it, PictureOutput.DEFAULT_PIXELS) }
             }.also { if (report != STANDARD_OUTPUT) session.terminal.out.println("$file: ${it.summary()}") }
         }
@@ -127,10 +132,11 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
         val threads = jobs ?: Runtime.getRuntime().availableProcessors()
         if (threads !in 1..MOST_JOBS) usage("--jobs must be from 1 to $MOST_JOBS, not $threads")
         val meshFormat = MeshOutput.format(format, null, spec.commandLine())
+        ordering.check(meshFormat, spec.commandLine())
         val files = BatchFiles(folder, meshFormat.endings[0], spec.commandLine()).of(inputs)
         Files.createDirectories(folder)
         report?.let { if (it != STANDARD_OUTPUT) OutputPlace.check(Path.of(it)) }
-        val plan = BatchPlan(inputOptions, meshFormat, threads, resume) { meshing.over(it, spec.commandLine()) }
+        val plan = BatchPlan(inputOptions, meshFormat, ordering.order, threads, resume) { meshing.over(it, spec.commandLine()) }
         BatchLog.open(report, session.terminal.out, resume).use { log ->
             val batch = BatchRun(session, plan, files, log)
             val code = batch.run()
@@ -139,11 +145,12 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
         }
     }
 
-    private fun mesh(input: Path, given: DomainInput, clock: RunClock, write: (TriMesh) -> Unit): MeshFigures {
+    private fun mesh(input: Path, given: DomainInput, clock: RunClock, write: (TriMesh, OrderedMesh) -> Unit): MeshFigures {
         val options = meshing.over(given.options, spec.commandLine())
         val result = DomainMesher(session, input).mesh(given.domain, options)
-        clock.writing { write(result.mesh) }
-        return MeshFigures(given.name, result.report, clock)
+        val ordered = clock.ordering { OrderedMesh.of(result.mesh, ordering.order, options.numbering, given::middles) }
+        clock.writing { write(result.mesh, ordered) }
+        return MeshFigures(given.name, result.report, clock, ordered.quadratic)
     }
 
     private fun writeReport(figures: List<MeshFigures>) {

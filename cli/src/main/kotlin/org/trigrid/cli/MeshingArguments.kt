@@ -3,6 +3,7 @@ package org.trigrid.cli
 import org.trigrid.MeshOptions
 import org.trigrid.front.Strategy
 import org.trigrid.numbering.NumberingMethod
+import org.trigrid.spacing.SizeSources
 import org.trigrid.spacing.Sizes
 import picocli.CommandLine
 import picocli.CommandLine.Option
@@ -32,6 +33,15 @@ internal class MeshingArguments {
     var maxSize: Double? = null
 
     @Option(
+        names = ["--size-source"], paramLabel = "H@X,Y",
+        description = [
+            "Elements of size H at the place (X, Y), or with more places X,Y,X,Y,... along a line, growing from there by the " +
+                "gradation. May be given again; added to those of the project.",
+        ],
+    )
+    var sizeSources: List<String> = emptyList()
+
+    @Option(
         names = ["--strategy"], paramLabel = "NAME",
         description = ["robust, or classic for the paper's own rules. Default: robust."],
     )
@@ -56,6 +66,7 @@ internal class MeshingArguments {
         gradation?.let { builder.gradation(it) }
         minSize?.let { builder.minSize(it) }
         maxSize?.let { builder.maxSize(it) }
+        if (sizeSources.isNotEmpty()) builder.sizeSources(sizeSources.fold(base.sizeSources, ::withSource))
         strategy?.let { builder.strategy(it) }
         maxElements?.let { builder.maxElements(it) }
         if (noImprove) builder.improve(false)
@@ -63,5 +74,13 @@ internal class MeshingArguments {
         builder.build()
     } catch (error: IllegalArgumentException) {
         throw ParameterException(commandLine, error.message)
+    }
+
+    private fun withSource(sources: SizeSources, text: String): SizeSources {
+        val size = text.substringBefore('@').trim().toDoubleOrNull()
+        val place = text.substringAfter('@', "").split(',').map { it.trim().toDoubleOrNull() }
+        require(size != null && null !in place && place.size % 2 == 0) { "--size-source must be of the form H@X,Y or H@X,Y,X,Y,..., not $text" }
+        val xy = place.filterNotNull().toDoubleArray()
+        return if (xy.size == 2) sources.withPoint(size, xy[0], xy[1]) else sources.withLine(size, *xy)
     }
 }

@@ -10,6 +10,8 @@ import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonObject
 import org.trigrid.diagnostics.Stage
+import org.trigrid.mesh.QuadraticMesh
+import org.trigrid.numbering.Numbering
 import org.trigrid.quality.QualityReport
 import java.nio.file.Path
 
@@ -57,7 +59,16 @@ internal object ReportJson {
             put("before", report.numberingBefore.profile)
             put("after", report.numberingAfter.profile)
         }
+        figures.quadratic?.let { put("secondOrder", secondOrder(it)) }
         put("seconds", seconds(figures))
+    }
+
+    private fun secondOrder(mesh: QuadraticMesh): JsonObject = buildJsonObject {
+        val numbering = Numbering.metrics(mesh)
+        put("nodes", mesh.nodeCount)
+        put("bandwidth", numbering.bandwidth)
+        put("profile", numbering.profile)
+        put("straightenedEdges", mesh.straightenedEdgeCount)
     }
 
     private fun quality(quality: QualityReport): JsonObject = buildJsonObject {
@@ -78,6 +89,7 @@ internal object ReportJson {
         put("front", report.seconds(Stage.FRONT))
         put("improve", report.seconds(Stage.IMPROVE))
         put("renumber", report.seconds(Stage.RENUMBER))
+        if (figures.quadratic != null) put("secondOrder", figures.clock.orderSeconds)
         put("write", figures.clock.writeSeconds)
         put("total", figures.clock.totalSeconds)
     }

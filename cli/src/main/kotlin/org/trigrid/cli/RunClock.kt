@@ -10,11 +10,17 @@ internal class RunClock {
     var writeSeconds: Double = 0.0
         private set
 
+    /** Making elements of second order. */
+    var orderSeconds: Double = 0.0
+        private set
+
     /** From the start to the end of what was timed last. */
     var totalSeconds: Double = 0.0
         private set
 
     fun <T> reading(work: () -> T): T = timed(work) { readSeconds += it }
+
+    fun <T> ordering(work: () -> T): T = timed(work) { orderSeconds += it }
 
     fun <T> writing(work: () -> T): T = timed(work) { writeSeconds += it }
 

@@ -123,6 +123,8 @@ class MeshCommandTest {
         }
         val usual = elements()
         assertTrue(elements("--max-size", "0.04") > 2 * usual)
+        assertTrue(elements("--size-source", "0.01@1.5,0.5") > 1.3 * usual)
+        assertTrue(elements("--size-source", "0.02@1.2,0.5,1.8,0.5", "--size-source=0.02@1.5,0.2,1.5,0.8") > 2 * usual)
         assertTrue(elements("--strategy", "classic") > 0)
         assertTrue(elements("--sizes", "grade", "--gradation", "0.4") > 0)
         assertTrue(elements("--no-improve", "--no-renumber") > 0)

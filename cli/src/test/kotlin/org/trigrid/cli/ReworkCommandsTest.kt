@@ -42,6 +42,46 @@ class ReworkCommandsTest {
     }
 
     @Test
+    fun `meshes of second order have their boundary on the curves of the project`() {
+        val project = Samples.file(
+            folder, "disc.trigrid.json",
+            """{"format": "trigrid", "version": 1, "path": [{"type": "circle", "firstPoint": [1, 0], "centre": [0, 0], "spacing": 0.2, "name": "rim"}]}""",
+        )
+        val direct = folder.resolve("direct.msh")
+        val outcome = Outcome.of("mesh", project, "-o", direct, "--order", "2", "--report", folder.resolve("r.json"))
+        assertEquals(ExitCodes.DONE, outcome.code, outcome.err)
+        assertTrue("second order" in outcome.out, outcome.out)
+        assertTrue("\"straightenedEdges\": 0" in Files.readString(folder.resolve("r.json")))
+        Outcome.of("mesh", project, "-o", folder.resolve("linear.msh"))
+        val converted = folder.resolve("converted.msh")
+        val conversion = Outcome.of("convert", folder.resolve("linear.msh"), converted, "--order", "2", "--project", project)
+        assertEquals(ExitCodes.DONE, conversion.code, conversion.err)
+        assertEquals(places(direct), places(converted))
+        val many = Outcome.of("mesh", project, "--out-dir", folder.resolve("many"), "--order", "2")
+        assertEquals(ExitCodes.DONE, many.code, many.err)
+        assertEquals(Files.readString(direct), Files.readString(folder.resolve("many").resolve("disc.msh")))
+    }
+
+    /** Coordinates of the nodes of an MSH 2.2 file, whatever their numbers. */
+    private fun places(file: Path): List<String> {
+        val lines = Files.readAllLines(file)
+        return lines.subList(lines.indexOf("\$Nodes") + 2, lines.indexOf("\$EndNodes")).map { it.substringAfter(' ') }.sorted()
+    }
+
+    @Test
+    fun `an order that cannot be written is a usage error`() {
+        val mesh = plateMesh()
+        for (arguments in listOf(listOf("x.su2", "--order", "2"), listOf("x.msh", "--order", "3"), listOf("x.geojson", "--order", "2"))) {
+            val more = arguments.drop(1).toTypedArray()
+            val outcome = Outcome.of("convert", mesh, folder.resolve(arguments[0]), *more)
+            assertEquals(ExitCodes.USAGE, outcome.code, outcome.err)
+            assertTrue("--order" in outcome.err)
+        }
+        assertEquals(ExitCodes.USAGE, Outcome.of("convert", mesh, folder.resolve("x.msh"), "--project", mesh).code)
+        assertEquals(ExitCodes.USAGE, Outcome.of("mesh", Samples.plate(folder), "-o", folder.resolve("x.csv"), "--order", "2").code)
+    }
+
+    @Test
     fun `a domain is converted, and so is the outline of a mesh`() {
         val outline = folder.resolve("outline.geojson")
         assertEquals(ExitCodes.DONE, Outcome.of("convert", plateMesh(), outline).code)

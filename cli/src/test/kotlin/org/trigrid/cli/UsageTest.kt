@@ -36,7 +36,7 @@ class UsageTest {
         val options = listOf(
             "--output", "--format", "--spacing", "--ratio", "--keep-connectors", "--sizes", "--gradation", "--min-size",
             "--max-size", "--strategy", "--max-elements", "--no-improve", "--no-renumber", "--report", "--picture", "--join", "--unit",
-            "--out-dir", "--jobs", "--resume",
+            "--out-dir", "--jobs", "--resume", "--order", "--size-source",
         )
         for (option in options) assertTrue(option in help, option)
     }
@@ -70,7 +70,7 @@ class UsageTest {
     @ParameterizedTest
     @ValueSource(
         strings = [
-            "--spacing=0", "--spacing=NaN", "--spacing=x", "--ratio=2", "--gradation=-1", "--min-size=-1", "--max-size=0",
+            "--spacing=0", "--spacing=NaN", "--spacing=x", "--ratio=2", "--gradation=-1", "--size-source=0.1", "--size-source=0.1@1", "--size-source=0@1,1", "--size-source=0.1@1,x", "--min-size=-1", "--max-size=0",
             "--strategy=best", "--sizes=none", "--format=3.0", "--picture=mesh.gif", "--unit=ell", "--join=-1",
         ],
     )

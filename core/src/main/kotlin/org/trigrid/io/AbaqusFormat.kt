@@ -1,32 +1,31 @@
 package org.trigrid.io
 
 import org.trigrid.mesh.TaggedSides
-import org.trigrid.mesh.TriMesh
 import java.io.OutputStream
 
 /**
- * Input files of Abaqus and CalculiX: nodes, elements CPS3 (plane stress), and for each tag a node set, a set of the
+ * Input files of Abaqus and CalculiX: nodes, elements CPS3 or CPS6 (plane stress), and for each tag a node set, a set of the
  * elements along it and, where it is on the boundary, a surface of their edges.
  */
-internal class AbaqusFormat : MeshFormat("abaqus", "Abaqus and CalculiX input", listOf(".inp"), canRead = false) {
-    override fun write(mesh: TriMesh, out: OutputStream) {
+internal class AbaqusFormat : MeshFormat("abaqus", "Abaqus and CalculiX input", listOf(".inp"), canRead = false, highestOrder = 2) {
+    override fun write(mesh: FileMesh, out: OutputStream) {
         val text = TextBuffer(out)
         val groups = MeshGroups(mesh, GroupNames.ABAQUS)
         text.line("*HEADING").line("mesh of TriGrid")
         writeNodes(mesh, text)
-        text.text("*ELEMENT, TYPE=CPS3, ELSET=").line(groups.regionName)
+        text.text("*ELEMENT, TYPE=CPS").number(mesh.nodesPerElement).text(", ELSET=").line(groups.regionName)
         for (element in 0 until mesh.elementCount) {
             text.number(element + 1)
-            for (corner in 0..2) text.text(", ").number(mesh.nodeOf(element, corner) + 1)
+            for (place in 0 until mesh.nodesPerElement) text.text(", ").number(mesh.nodeOf(element, place) + 1)
             text.line()
         }
-        val sides = TaggedSides(mesh)
+        val sides = TaggedSides(mesh.nodeCount, mesh.elements, mesh.nodesPerElement, mesh.edges, mesh.nodesPerEdge)
         for (curve in 0 until groups.curveCount) writeSets(mesh, groups, sides, curve, text)
         text.flush()
     }
 
     /** CalculiX reads the first 20 characters of a number. */
-    private fun writeNodes(mesh: TriMesh, text: TextBuffer) {
+    private fun writeNodes(mesh: FileMesh, text: TextBuffer) {
         val decimal = DecimalText()
         text.line("*NODE, NSET=Nall")
         for (node in 0 until mesh.nodeCount) {
@@ -36,7 +35,7 @@ internal class AbaqusFormat : MeshFormat("abaqus", "Abaqus and CalculiX input", 
         }
     }
 
-    private fun writeSets(mesh: TriMesh, groups: MeshGroups, sides: TaggedSides, curve: Int, text: TextBuffer) {
+    private fun writeSets(mesh: FileMesh, groups: MeshGroups, sides: TaggedSides, curve: Int, text: TextBuffer) {
         val name = groups.curveNames[curve]
         text.text("*NSET, NSET=").line(name)
         writeNumbers(groups.nodes(mesh, curve), text)

@@ -6,8 +6,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /** Medit's `.mesh`, ASCII, in two dimensions. The reference of an edge is the number of its tag from 1; comments name them. */
-internal class MeditFormat : MeshFormat("medit", "Medit .mesh, ASCII", listOf(".mesh"), canRead = true) {
-    override fun write(mesh: TriMesh, out: OutputStream) {
+internal class MeditFormat : MeshFormat("medit", "Medit .mesh, ASCII", listOf(".mesh"), canRead = true, highestOrder = 2) {
+    override fun write(mesh: FileMesh, out: OutputStream) {
         val text = TextBuffer(out)
         val groups = MeshGroups(mesh)
         text.line("MeshVersionFormatted 2").line("Dimension 2")
@@ -15,16 +15,17 @@ internal class MeditFormat : MeshFormat("medit", "Medit .mesh, ASCII", listOf(".
         text.text("# triangles 1: ").line(groups.regionName)
         text.line("Vertices").number(mesh.nodeCount).line()
         for (node in 0 until mesh.nodeCount) text.number(mesh.x(node)).space().number(mesh.y(node)).line(" 0")
-        text.line("Edges").number(mesh.taggedEdgeCount).line()
+        text.line(if (mesh.order == 2) "EdgesP2" else "Edges").number(mesh.taggedEdgeCount).line()
         for (i in 0 until groups.curveCount) {
             for (k in 0 until groups.size(i)) {
                 val edge = groups.edge(i, k)
-                text.number(mesh.edgeStart(edge) + 1).space().number(mesh.edgeEnd(edge) + 1).space().number(i + 1).line()
+                for (place in 0 until mesh.nodesPerEdge) text.number(mesh.nodeOn(edge, place) + 1).space()
+                text.number(i + 1).line()
             }
         }
-        text.line("Triangles").number(mesh.elementCount).line()
+        text.line(if (mesh.order == 2) "TrianglesP2" else "Triangles").number(mesh.elementCount).line()
         for (element in 0 until mesh.elementCount) {
-            for (corner in 0..2) text.number(mesh.nodeOf(element, corner) + 1).space()
+            for (place in 0 until mesh.nodesPerElement) text.number(mesh.nodeOf(element, place) + 1).space()
             text.line("1")
         }
         text.line("End")

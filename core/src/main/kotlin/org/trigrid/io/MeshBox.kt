@@ -1,7 +1,5 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.TriMesh
-
 /** The box round some nodes of a mesh; all 0 round none. */
 internal class MeshBox private constructor() {
     private var count = 0
@@ -14,7 +12,7 @@ internal class MeshBox private constructor() {
     var maxY = 0.0
         private set
 
-    private fun add(mesh: TriMesh, node: Int) {
+    private fun add(mesh: FileMesh, node: Int) {
         val x = mesh.x(node)
         val y = mesh.y(node)
         val isFirst = count++ == 0
@@ -25,12 +23,11 @@ internal class MeshBox private constructor() {
     }
 
     companion object {
-        fun of(mesh: TriMesh): MeshBox = MeshBox().apply { for (node in 0 until mesh.nodeCount) add(mesh, node) }
+        fun of(mesh: FileMesh): MeshBox = MeshBox().apply { for (node in 0 until mesh.nodeCount) add(mesh, node) }
 
-        fun ofCurve(mesh: TriMesh, groups: MeshGroups, curve: Int): MeshBox = MeshBox().apply {
+        fun ofCurve(mesh: FileMesh, groups: MeshGroups, curve: Int): MeshBox = MeshBox().apply {
             for (k in 0 until groups.size(curve)) {
-                add(mesh, mesh.edgeStart(groups.edge(curve, k)))
-                add(mesh, mesh.edgeEnd(groups.edge(curve, k)))
+                for (place in 0 until mesh.nodesPerEdge) add(mesh, mesh.nodeOn(groups.edge(curve, k), place))
             }
         }
     }

@@ -14,13 +14,25 @@ public abstract class MeshFormat internal constructor(
     canWrite: Boolean = true,
     /** Whether a mesh is one file; else several that differ by their endings. */
     @get:JvmName("isSingleFile") public val isSingleFile: Boolean = true,
+    /** 1 for elements of three nodes only; 2 if those of six can be written too. */
+    @get:JvmName("highestOrder") public val highestOrder: Int = 1,
 ) : FileFormat(name, title, endings, canRead, canWrite) {
     /** The files that a mesh written to [file] is in. */
     public open fun filesOf(file: Path): List<Path> = listOf(file)
 
     /** Writes the one file of a mesh. */
     @Throws(IOException::class)
-    internal open fun write(mesh: TriMesh, out: OutputStream): Unit = throw IllegalArgumentException("$name is several files")
+    internal open fun write(mesh: TriMesh, out: OutputStream): Unit = write(FileMesh.of(mesh), out)
+
+    /** Writes the one file of a mesh of either order; formats of order 1 may do without. */
+    @Throws(IOException::class)
+    internal open fun write(mesh: FileMesh, out: OutputStream): Unit = throw IllegalArgumentException("$name is several files")
+
+    /** @throws IllegalArgumentException unless the format has elements of six nodes. */
+    internal fun requireSecondOrder() {
+        val able = MeshFormats.all().filter { it.highestOrder >= 2 }.joinToString { it.name }
+        require(highestOrder >= 2) { "$name has no elements of six nodes; these have: $able" }
+    }
 
     /** Writes all files of a mesh. */
     @Throws(IOException::class)

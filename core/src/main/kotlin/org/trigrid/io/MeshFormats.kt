@@ -1,6 +1,7 @@
 package org.trigrid.io
 
 import org.trigrid.diagnostics.FileFormatException
+import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.mesh.TriMesh
 import java.io.IOException
 import java.io.OutputStream
@@ -61,6 +62,31 @@ public object MeshFormats {
     @JvmStatic
     @Throws(IOException::class)
     public fun write(mesh: TriMesh, out: OutputStream, format: MeshFormat): Unit = format.write(mesh, out)
+
+    /**
+     * Writes a mesh of six-node triangles to [path] in the format of its ending, MSH 2.2 if that says nothing.
+     *
+     * @throws IllegalArgumentException if the format has no such elements, see [MeshFormat.highestOrder].
+     */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun write(mesh: QuadraticMesh, path: Path): Unit = write(mesh, path, forWriting(path) ?: MeshFormat.MSH_22)
+
+    /** As the other, in a given format. */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun write(mesh: QuadraticMesh, path: Path, format: MeshFormat) {
+        format.requireSecondOrder()
+        AtomicFile.write(path) { format.write(FileMesh.of(mesh), it) }
+    }
+
+    /** As the other, to a stream, which stays open. */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun write(mesh: QuadraticMesh, out: OutputStream, format: MeshFormat) {
+        format.requireSecondOrder()
+        format.write(FileMesh.of(mesh), out)
+    }
 
     /**
      * Reads a mesh of triangles: Gmsh's MSH 2.2 and 4.1, ASCII or binary; VTU; Medit; Triangle's, by its `.ele` or

@@ -8,7 +8,7 @@ import org.trigrid.mesh.TriMesh
  * Ids are above 0 and differ between curves and regions, and so do names: some readers keep one table for all
  * dimensions, and attributes of 0 are refused by others.
  */
-internal class MeshGroups(mesh: TriMesh, rule: GroupNames = GroupNames.MSH) {
+internal class MeshGroups(mesh: FileMesh, rule: GroupNames = GroupNames.MSH) {
     /** Per curve group, the index of its tag in the mesh. */
     val curveTags: IntArray
     val curveNames: List<String>
@@ -17,6 +17,8 @@ internal class MeshGroups(mesh: TriMesh, rule: GroupNames = GroupNames.MSH) {
     /** Tagged edges by group, in their order; those of group i begin at starts[i]. */
     private val edges: IntArray
     private val starts: IntArray
+
+    constructor(mesh: TriMesh, rule: GroupNames = GroupNames.MSH) : this(FileMesh.of(mesh), rule)
 
     val curveCount: Int get() = curveTags.size
     val regionId: Int get() = curveCount + 1
@@ -33,7 +35,7 @@ internal class MeshGroups(mesh: TriMesh, rule: GroupNames = GroupNames.MSH) {
         }
         val free = starts.copyOf()
         edges = IntArray(mesh.taggedEdgeCount)
-        for (edge in edges.indices) edges[free[groupOfTag[mesh.edgeTag(edge)]]++] = edge
+        for (edge in edges.indices) edges[free[groupOfTag[mesh.edgeTags[edge]]]++] = edge
         val namer = rule.namer()
         curveNames = curveTags.map { namer.name(mesh.tags[it]) }
         regionName = namer.name(mesh.regionName)
@@ -46,11 +48,9 @@ internal class MeshGroups(mesh: TriMesh, rule: GroupNames = GroupNames.MSH) {
     fun edge(curve: Int, index: Int): Int = edges[starts[curve] + index]
 
     /** Nodes on a curve group, ascending. */
-    fun nodes(mesh: TriMesh, curve: Int): IntArray {
-        val nodes = IntArray(2 * size(curve)) {
-            val edge = edge(curve, it / 2)
-            if (it % 2 == 0) mesh.edgeStart(edge) else mesh.edgeEnd(edge)
-        }
+    fun nodes(mesh: FileMesh, curve: Int): IntArray {
+        val width = mesh.nodesPerEdge
+        val nodes = IntArray(width * size(curve)) { mesh.nodeOn(edge(curve, it / width), it % width) }
         nodes.sort()
         var count = 0
         for (i in nodes.indices) if (i == 0 || nodes[i] != nodes[i - 1]) nodes[count++] = nodes[i]

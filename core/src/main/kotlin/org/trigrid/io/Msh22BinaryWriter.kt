@@ -1,10 +1,8 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.TriMesh
-
 /** Gmsh's MSH 2.2, binary: as [Msh22Writer], with nodes and elements as numbers of 4 and 8 bytes. */
 internal object Msh22BinaryWriter {
-    fun write(mesh: TriMesh, out: BinaryBuffer) {
+    fun write(mesh: FileMesh, out: BinaryBuffer) {
         val groups = MeshGroups(mesh)
         out.line("\$MeshFormat").line("2.2 1 8").int(1).line("").line("\$EndMeshFormat")
         writeNames(groups, out)
@@ -23,20 +21,21 @@ internal object Msh22BinaryWriter {
         out.line("2 ${groups.regionId} \"${groups.regionName}\"").line("\$EndPhysicalNames")
     }
 
-    private fun writeElements(mesh: TriMesh, groups: MeshGroups, out: BinaryBuffer) {
+    private fun writeElements(mesh: FileMesh, groups: MeshGroups, out: BinaryBuffer) {
         var id = 1
         for (i in 0 until groups.curveCount) {
-            out.int(MeshContents.LINE).int(groups.size(i)).int(2)
+            out.int(MshElements.line(mesh)).int(groups.size(i)).int(2)
             for (k in 0 until groups.size(i)) {
                 val edge = groups.edge(i, k)
-                out.int(id++).int(i + 1).int(i + 1).int(mesh.edgeStart(edge) + 1).int(mesh.edgeEnd(edge) + 1)
+                out.int(id++).int(i + 1).int(i + 1)
+                for (place in 0 until mesh.nodesPerEdge) out.int(mesh.nodeOn(edge, place) + 1)
             }
         }
         if (mesh.elementCount == 0) return
-        out.int(MeshContents.TRIANGLE).int(mesh.elementCount).int(2)
+        out.int(MshElements.triangle(mesh)).int(mesh.elementCount).int(2)
         for (element in 0 until mesh.elementCount) {
             out.int(id++).int(groups.regionId).int(1)
-            for (corner in 0..2) out.int(mesh.nodeOf(element, corner) + 1)
+            for (place in 0 until mesh.nodesPerElement) out.int(mesh.nodeOf(element, place) + 1)
         }
     }
 }

@@ -1,13 +1,11 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.TriMesh
-
 /**
  * Gmsh's MSH 2.2, ASCII: the version that most solvers read. Nodes keep their order, each element is in exactly one
  * group, lines have the domain on their left.
  */
 internal object Msh22Writer {
-    fun write(mesh: TriMesh, text: TextBuffer) {
+    fun write(mesh: FileMesh, text: TextBuffer) {
         val groups = MeshGroups(mesh)
         text.line("\$MeshFormat").line("2.2 0 8").line("\$EndMeshFormat")
         writeNames(groups, text)
@@ -32,25 +30,25 @@ internal object Msh22Writer {
         text.line("\$EndPhysicalNames")
     }
 
-    private fun writeLines(mesh: TriMesh, groups: MeshGroups, text: TextBuffer) {
+    private fun writeLines(mesh: FileMesh, groups: MeshGroups, text: TextBuffer) {
         var id = 1
         for (i in 0 until groups.curveCount) {
             for (k in 0 until groups.size(i)) {
                 val edge = groups.edge(i, k)
-                text.number(id++).text(" 1 2 ").number(i + 1).space().number(i + 1)
-                text.space().number(mesh.edgeStart(edge) + 1).space().number(mesh.edgeEnd(edge) + 1).line()
+                text.number(id++).space().number(MshElements.line(mesh)).text(" 2 ").number(i + 1).space().number(i + 1)
+                for (place in 0 until mesh.nodesPerEdge) text.space().number(mesh.nodeOn(edge, place) + 1)
+                text.line()
             }
         }
     }
 
-    private fun writeTriangles(mesh: TriMesh, groups: MeshGroups, text: TextBuffer) {
+    private fun writeTriangles(mesh: FileMesh, groups: MeshGroups, text: TextBuffer) {
         val first = mesh.taggedEdgeCount + 1
-        val middle = " 2 2 ${groups.regionId} 1 "
+        val middle = " ${MshElements.triangle(mesh)} 2 ${groups.regionId} 1"
         for (element in 0 until mesh.elementCount) {
             text.number(first + element).text(middle)
-            text.number(mesh.nodeOf(element, 0) + 1).space()
-            text.number(mesh.nodeOf(element, 1) + 1).space()
-            text.number(mesh.nodeOf(element, 2) + 1).line()
+            for (place in 0 until mesh.nodesPerElement) text.space().number(mesh.nodeOf(element, place) + 1)
+            text.line()
         }
     }
 }

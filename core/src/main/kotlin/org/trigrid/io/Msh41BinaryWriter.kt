@@ -1,10 +1,8 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.TriMesh
-
 /** Gmsh's MSH 4.1, binary: as [Msh41Writer], with counts, node numbers and element numbers of 8 bytes. */
 internal object Msh41BinaryWriter {
-    fun write(mesh: TriMesh, out: BinaryBuffer) {
+    fun write(mesh: FileMesh, out: BinaryBuffer) {
         val groups = MeshGroups(mesh)
         out.line("\$MeshFormat").line("4.1 1 8").int(1).line("").line("\$EndMeshFormat")
         Msh22BinaryWriter.writeNames(groups, out)
@@ -13,7 +11,7 @@ internal object Msh41BinaryWriter {
         writeElements(mesh, groups, out)
     }
 
-    private fun writeEntities(mesh: TriMesh, groups: MeshGroups, out: BinaryBuffer) {
+    private fun writeEntities(mesh: FileMesh, groups: MeshGroups, out: BinaryBuffer) {
         out.line("\$Entities").long(0).long(groups.curveCount).long(1).long(0)
         for (i in 0 until groups.curveCount) {
             out.int(i + 1)
@@ -32,7 +30,7 @@ internal object Msh41BinaryWriter {
         out.double(box.minX).double(box.minY).double(0.0).double(box.maxX).double(box.maxY).double(0.0)
     }
 
-    private fun writeNodes(mesh: TriMesh, out: BinaryBuffer) {
+    private fun writeNodes(mesh: FileMesh, out: BinaryBuffer) {
         val count = mesh.nodeCount
         out.line("\$Nodes").long(1).long(count).long(minOf(1, count)).long(count)
         out.int(2).int(1).int(0).long(count)
@@ -41,21 +39,22 @@ internal object Msh41BinaryWriter {
         out.line("").line("\$EndNodes")
     }
 
-    private fun writeElements(mesh: TriMesh, groups: MeshGroups, out: BinaryBuffer) {
+    private fun writeElements(mesh: FileMesh, groups: MeshGroups, out: BinaryBuffer) {
         val count = mesh.taggedEdgeCount + mesh.elementCount
         out.line("\$Elements").long(groups.curveCount + 1).long(count).long(minOf(1, count)).long(count)
         var id = 1
         for (i in 0 until groups.curveCount) {
-            out.int(1).int(i + 1).int(MeshContents.LINE).long(groups.size(i))
+            out.int(1).int(i + 1).int(MshElements.line(mesh)).long(groups.size(i))
             for (k in 0 until groups.size(i)) {
                 val edge = groups.edge(i, k)
-                out.long(id++).long(mesh.edgeStart(edge) + 1).long(mesh.edgeEnd(edge) + 1)
+                out.long(id++)
+                for (place in 0 until mesh.nodesPerEdge) out.long(mesh.nodeOn(edge, place) + 1)
             }
         }
-        out.int(2).int(1).int(MeshContents.TRIANGLE).long(mesh.elementCount)
+        out.int(2).int(1).int(MshElements.triangle(mesh)).long(mesh.elementCount)
         for (element in 0 until mesh.elementCount) {
             out.long(id++)
-            for (corner in 0..2) out.long(mesh.nodeOf(element, corner) + 1)
+            for (place in 0 until mesh.nodesPerElement) out.long(mesh.nodeOf(element, place) + 1)
         }
         out.line("").line("\$EndElements")
     }

@@ -1,13 +1,11 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.TriMesh
-
 /**
  * Gmsh's MSH 4.1, ASCII. One curve entity for each group and one surface, which holds all nodes: readers number nodes
  * in the order of the file, and spread over entities they would lose the order of the renumbering.
  */
 internal object Msh41Writer {
-    fun write(mesh: TriMesh, text: TextBuffer) {
+    fun write(mesh: FileMesh, text: TextBuffer) {
         val groups = MeshGroups(mesh)
         text.line("\$MeshFormat").line("4.1 0 8").line("\$EndMeshFormat")
         Msh22Writer.writeNames(groups, text)
@@ -16,7 +14,7 @@ internal object Msh41Writer {
         writeElements(mesh, groups, text)
     }
 
-    private fun writeEntities(mesh: TriMesh, groups: MeshGroups, text: TextBuffer) {
+    private fun writeEntities(mesh: FileMesh, groups: MeshGroups, text: TextBuffer) {
         text.line("\$Entities").text("0 ").number(groups.curveCount).line(" 1 0")
         for (i in 0 until groups.curveCount) {
             text.number(i + 1).space()
@@ -32,9 +30,9 @@ internal object Msh41Writer {
     }
 
     /** Curve groups with an edge on the boundary. */
-    fun boundingCurves(mesh: TriMesh, groups: MeshGroups): IntArray {
+    fun boundingCurves(mesh: FileMesh, groups: MeshGroups): IntArray {
         val onBoundary = BooleanArray(mesh.tags.size)
-        for (edge in 0 until mesh.boundaryEdgeCount) onBoundary[mesh.edgeTag(edge)] = true
+        for (edge in 0 until mesh.boundaryEdgeCount) onBoundary[mesh.edgeTags[edge]] = true
         return (0 until groups.curveCount).filter { onBoundary[groups.curveTags[it]] }.toIntArray()
     }
 
@@ -42,7 +40,7 @@ internal object Msh41Writer {
         text.number(box.minX).space().number(box.minY).text(" 0 ").number(box.maxX).space().number(box.maxY).text(" 0")
     }
 
-    private fun writeNodes(mesh: TriMesh, text: TextBuffer) {
+    private fun writeNodes(mesh: FileMesh, text: TextBuffer) {
         val count = mesh.nodeCount
         text.line("\$Nodes")
         text.text("1 ").number(count).text(if (count > 0) " 1 " else " 0 ").number(count).line()
@@ -52,22 +50,25 @@ internal object Msh41Writer {
         text.line("\$EndNodes")
     }
 
-    private fun writeElements(mesh: TriMesh, groups: MeshGroups, text: TextBuffer) {
+    private fun writeElements(mesh: FileMesh, groups: MeshGroups, text: TextBuffer) {
         val count = mesh.taggedEdgeCount + mesh.elementCount
         text.line("\$Elements")
         text.number(groups.curveCount + 1).space().number(count).text(if (count > 0) " 1 " else " 0 ").number(count).line()
         var id = 1
         for (i in 0 until groups.curveCount) {
-            text.text("1 ").number(i + 1).text(" 1 ").number(groups.size(i)).line()
+            text.text("1 ").number(i + 1).space().number(MshElements.line(mesh)).space().number(groups.size(i)).line()
             for (k in 0 until groups.size(i)) {
                 val edge = groups.edge(i, k)
-                text.number(id++).space().number(mesh.edgeStart(edge) + 1).space().number(mesh.edgeEnd(edge) + 1).line()
+                text.number(id++)
+                for (place in 0 until mesh.nodesPerEdge) text.space().number(mesh.nodeOn(edge, place) + 1)
+                text.line()
             }
         }
-        text.text("2 1 2 ").number(mesh.elementCount).line()
+        text.text("2 1 ").number(MshElements.triangle(mesh)).space().number(mesh.elementCount).line()
         for (element in 0 until mesh.elementCount) {
-            text.number(id++).space().number(mesh.nodeOf(element, 0) + 1).space()
-            text.number(mesh.nodeOf(element, 1) + 1).space().number(mesh.nodeOf(element, 2) + 1).line()
+            text.number(id++)
+            for (place in 0 until mesh.nodesPerElement) text.space().number(mesh.nodeOf(element, place) + 1)
+            text.line()
         }
         text.line("\$EndElements")
     }

@@ -7,7 +7,7 @@ import java.nio.file.Path
 
 /** Writes one version of Gmsh's mesh files. */
 internal fun interface MshWriter {
-    fun write(mesh: TriMesh, out: OutputStream)
+    fun write(mesh: FileMesh, out: OutputStream)
 
     companion object {
         val VERSION_22 = MshWriter { mesh, out -> TextBuffer(out).let { Msh22Writer.write(mesh, it); it.flush() } }
@@ -19,8 +19,8 @@ internal fun interface MshWriter {
 
 /** Gmsh's MSH. Which of its kinds a file is, its first line tells; all are read alike. */
 internal class MshFormat(name: String, title: String, private val writer: MshWriter) :
-    MeshFormat(name, title, listOf(".msh"), canRead = true) {
-    override fun write(mesh: TriMesh, out: OutputStream) = writer.write(mesh, out)
+    MeshFormat(name, title, listOf(".msh"), canRead = true, highestOrder = 2) {
+    override fun write(mesh: FileMesh, out: OutputStream) = writer.write(mesh, out)
 
     override fun read(file: Path): TriMesh {
         ReadingMemory.check(file, ReadingMemory.MSH)

@@ -1,14 +1,13 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.TriMesh
 import java.io.OutputStream
 
 /**
- * Nastran bulk data: GRID* with fields of 16 characters, CTRIA3 with a property id for the region, and for each tag a SET1 of
+ * Nastran bulk data: GRID* with fields of 16 characters, CTRIA3 or CTRIA6 with a property id for the region, and for each tag a SET1 of
  * its nodes, which a comment names. Of a coordinate as many digits are kept as fit: 15, and 14 below 0.
  */
-internal class NastranFormat : MeshFormat("nastran", "Nastran bulk data", listOf(".bdf", ".nas"), canRead = false) {
-    override fun write(mesh: TriMesh, out: OutputStream) {
+internal class NastranFormat : MeshFormat("nastran", "Nastran bulk data", listOf(".bdf", ".nas"), canRead = false, highestOrder = 2) {
+    override fun write(mesh: FileMesh, out: OutputStream) {
         val text = TextBuffer(out)
         val groups = MeshGroups(mesh)
         text.line("$ mesh of TriGrid").line("BEGIN BULK")
@@ -21,10 +20,10 @@ internal class NastranFormat : MeshFormat("nastran", "Nastran bulk data", listOf
             text.text("*       ").line("0.".padStart(LARGE))
         }
         for (element in 0 until mesh.elementCount) {
-            text.text("CTRIA3  ")
+            text.text(if (mesh.order == 2) "CTRIA6  " else "CTRIA3  ")
             writeSmall(element + 1, text)
             writeSmall(1, text)
-            for (corner in 0..2) writeSmall(mesh.nodeOf(element, corner) + 1, text)
+            for (place in 0 until mesh.nodesPerElement) writeSmall(mesh.nodeOf(element, place) + 1, text)
             text.line()
         }
         for (curve in 0 until groups.curveCount) {

@@ -10,8 +10,8 @@ import java.nio.file.Path
  * `region` and `tag` number the groups from 1, 0 for none; the field arrays `region_names` and `tag_names` hold their names,
  * one a line.
  */
-internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf(".vtu"), canRead = true) {
-    override fun write(mesh: TriMesh, out: OutputStream) {
+internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf(".vtu"), canRead = true, highestOrder = 2) {
+    override fun write(mesh: FileMesh, out: OutputStream) {
         val groups = MeshGroups(mesh)
         val curveNames = groups.curveNames.joinToString("\n").toByteArray(Charsets.US_ASCII)
         val regionNames = groups.regionName.toByteArray(Charsets.US_ASCII)
@@ -26,9 +26,9 @@ internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf
         binary.flush()
     }
 
-    private fun writeHeader(mesh: TriMesh, curveNames: Int, regionNames: Int, out: BinaryBuffer) {
+    private fun writeHeader(mesh: FileMesh, curveNames: Int, regionNames: Int, out: BinaryBuffer) {
         val cells = mesh.elementCount + mesh.taggedEdgeCount
-        val corners = 3L * mesh.elementCount + 2L * mesh.taggedEdgeCount
+        val nodes = mesh.elements.size.toLong() + mesh.edges.size
         var offset = 0L
         fun array(type: String, name: String, bytes: Long, more: String = "") {
             out.line("        <DataArray type=\"$type\" Name=\"$name\"$more format=\"appended\" offset=\"$offset\"/>")
@@ -43,7 +43,7 @@ internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf
         out.line("      <Points>")
         array("Float64", "Points", 24L * mesh.nodeCount, " NumberOfComponents=\"3\"")
         out.line("      </Points>").line("      <Cells>")
-        array("Int32", "connectivity", 4 * corners)
+        array("Int32", "connectivity", 4 * nodes)
         array("Int32", "offsets", 4L * cells)
         array("UInt8", "types", cells.toLong())
         out.line("      </Cells>").line("      <CellData>")
@@ -58,30 +58,30 @@ internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf
         for (b in bytes) out.byte(b.toInt())
     }
 
-    private fun writePoints(mesh: TriMesh, out: BinaryBuffer) {
+    private fun writePoints(mesh: FileMesh, out: BinaryBuffer) {
         out.long(24L * mesh.nodeCount)
         for (node in 0 until mesh.nodeCount) out.double(mesh.x(node)).double(mesh.y(node)).double(0.0)
     }
 
-    private fun writeCells(mesh: TriMesh, groups: MeshGroups, out: BinaryBuffer) {
+    private fun writeCells(mesh: FileMesh, groups: MeshGroups, out: BinaryBuffer) {
         val cells = mesh.elementCount + mesh.taggedEdgeCount
-        out.long(12L * mesh.elementCount + 8L * mesh.taggedEdgeCount)
-        for (element in 0 until mesh.elementCount) for (corner in 0..2) out.int(mesh.nodeOf(element, corner))
+        out.long(4L * (mesh.elements.size.toLong() + mesh.edges.size))
+        for (node in mesh.elements) out.int(node)
         for (curve in 0 until groups.curveCount) {
             for (k in 0 until groups.size(curve)) {
                 val edge = groups.edge(curve, k)
-                out.int(mesh.edgeStart(edge)).int(mesh.edgeEnd(edge))
+                for (place in 0 until mesh.nodesPerEdge) out.int(mesh.nodeOn(edge, place))
             }
         }
         out.long(4L * cells)
-        for (element in 1..mesh.elementCount) out.int(3 * element)
-        for (edge in 1..mesh.taggedEdgeCount) out.int(3 * mesh.elementCount + 2 * edge)
+        for (element in 1..mesh.elementCount) out.int(mesh.nodesPerElement * element)
+        for (edge in 1..mesh.taggedEdgeCount) out.int(mesh.elements.size + mesh.nodesPerEdge * edge)
         out.long(cells)
-        repeat(mesh.elementCount) { out.byte(VTK_TRIANGLE) }
-        repeat(mesh.taggedEdgeCount) { out.byte(VTK_LINE) }
+        repeat(mesh.elementCount) { out.byte(if (mesh.order == 2) VTK_QUADRATIC_TRIANGLE else VTK_TRIANGLE) }
+        repeat(mesh.taggedEdgeCount) { out.byte(if (mesh.order == 2) VTK_QUADRATIC_EDGE else VTK_LINE) }
     }
 
-    private fun writeGroups(mesh: TriMesh, groups: MeshGroups, out: BinaryBuffer) {
+    private fun writeGroups(mesh: FileMesh, groups: MeshGroups, out: BinaryBuffer) {
         val bytes = 4L * (mesh.elementCount + mesh.taggedEdgeCount)
         out.long(bytes)
         repeat(mesh.elementCount) { out.int(1) }
@@ -100,5 +100,7 @@ internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf
         const val VTK_VERTEX = 1
         const val VTK_LINE = 3
         const val VTK_TRIANGLE = 5
+        const val VTK_QUADRATIC_EDGE = 21
+        const val VTK_QUADRATIC_TRIANGLE = 22
     }
 }

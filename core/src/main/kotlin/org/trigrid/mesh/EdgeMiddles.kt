@@ -15,7 +15,10 @@ public fun interface EdgeMiddles {
         public val STRAIGHT: EdgeMiddles = EdgeMiddles { mesh, edge ->
             val a = mesh.edgeStart(edge)
             val b = mesh.edgeEnd(edge)
-            doubleArrayOf(mesh.x(a) + 0.5 * (mesh.x(b) - mesh.x(a)), mesh.y(a) + 0.5 * (mesh.y(b) - mesh.y(a)))
+            doubleArrayOf(halfway(mesh.x(a), mesh.x(b)), halfway(mesh.y(a), mesh.y(b)))
         }
+
+        /** The same double from both ends. */
+        internal fun halfway(a: Double, b: Double): Double = 0.5 * a + 0.5 * b
     }
 }

@@ -28,6 +28,12 @@ public object MeshCheck {
         return found.toList()
     }
 
+    /** @throws IllegalArgumentException if [check] finds something. */
+    internal fun requireValid(mesh: TriMesh) {
+        val violation = check(mesh).firstOrNull() ?: return
+        throw IllegalArgumentException("the mesh is not valid: ${violation.message} at (${violation.x}, ${violation.y})")
+    }
+
     /** @return false if numbers or neighbours are so wrong that further checks make no sense. */
     private fun checkTopology(mesh: TriMesh, found: ViolationList): Boolean {
         val shape = ElementCheck(mesh, found)

@@ -18,7 +18,7 @@ internal object MeshRenumbering {
             kinds[to] = mesh.kinds[node]
         }
         val edges = IntArray(mesh.edges.size) { newNumbers[mesh.edges[it]] }
-        val place = elementPlaces(mesh, newNumbers, checkpoint)
+        val place = elementPlaces(mesh.nodeCount, mesh.elements, 3, newNumbers, checkpoint)
         checkpoint.ask()
         val elements = IntArray(mesh.elements.size)
         val neighbours = IntArray(mesh.neighbours.size)
@@ -37,20 +37,36 @@ internal object MeshRenumbering {
         )
     }
 
-    /** New place of each element: stable counting sort by the lowest new node. */
-    private fun elementPlaces(mesh: TriMesh, newNumbers: IntArray, checkpoint: Checkpoint): IntArray {
-        val place = IntArray(mesh.elementCount)
-        val start = IntArray(mesh.nodeCount + 1)
+    fun apply(mesh: QuadraticMesh, newNumbers: IntArray): QuadraticMesh {
+        requirePermutation(newNumbers, mesh.nodeCount)
+        val xy = DoubleArray(mesh.xy.size)
+        for (at in xy.indices) xy[2 * newNumbers[at / 2] + at % 2] = mesh.xy[at]
+        val width = QuadraticMesh.NODES_PER_ELEMENT
+        val place = elementPlaces(mesh.nodeCount, mesh.elements, width, newNumbers, Checkpoint.unheard())
+        val elements = IntArray(mesh.elements.size)
+        for (at in elements.indices) elements[width * place[at / width] + at % width] = newNumbers[mesh.elements[at]]
+        val edges = IntArray(mesh.edges.size) { newNumbers[mesh.edges[it]] }
+        return QuadraticMesh(
+            xy, elements, edges, mesh.edgeTags, mesh.boundaryEdgeCount, mesh.tags, mesh.regionName, mesh.straightenedEdgeCount,
+        )
+    }
+
+    /** New place of each element: stable counting sort by the lowest new corner. The corners of an element come first. */
+    private fun elementPlaces(
+        nodeCount: Int, elements: IntArray, nodesPerElement: Int, newNumbers: IntArray, checkpoint: Checkpoint,
+    ): IntArray {
+        val place = IntArray(elements.size / nodesPerElement)
+        val start = IntArray(nodeCount + 1)
         for (t in place.indices) {
             checkpoint.pass()
-            val a = newNumbers[mesh.elements[3 * t]]
-            val b = newNumbers[mesh.elements[3 * t + 1]]
-            val c = newNumbers[mesh.elements[3 * t + 2]]
+            val a = newNumbers[elements[nodesPerElement * t]]
+            val b = newNumbers[elements[nodesPerElement * t + 1]]
+            val c = newNumbers[elements[nodesPerElement * t + 2]]
             val low = minOf(a, minOf(b, c))
             place[t] = low
             start[low + 1]++
         }
-        for (n in 1..mesh.nodeCount) start[n] += start[n - 1]
+        for (n in 1..nodeCount) start[n] += start[n - 1]
         for (t in place.indices) {
             checkpoint.pass()
             place[t] = start[place[t]]++

@@ -4,43 +4,35 @@ package org.trigrid.mesh
 internal class UniformRefinement(private val mesh: TriMesh, private val middles: EdgeMiddles) {
     private val halves = 3 * mesh.elementCount
 
-    /** Node in the middle of each half-edge. */
-    private val middle = IntArray(halves)
-    private var nodeCount = mesh.nodeCount
+    private val numbers = EdgeNumbers(mesh)
+    private val nodeCount = mesh.nodeCount + numbers.count
 
     fun refined(): TriMesh {
         require(4L * halves < Int.MAX_VALUE) { "${mesh.elementCount} elements are too many to be divided" }
-        for (half in 0 until halves) if (MeshTopology.ownsEdge(half, mesh.neighbours)) middle[half] = nodeCount++
-        for (half in 0 until halves) if (!MeshTopology.ownsEdge(half, mesh.neighbours)) middle[half] = middle[twinOf(half)]
         val tags = IntArray(2 * mesh.taggedEdgeCount) { mesh.edgeTag(it / 2) }
         return TriMeshFactory.of(places(), elements(), lines(), tags, mesh.tags, mesh.regionName)
     }
 
-    private fun twinOf(half: Int): Int {
-        val other = 3 * mesh.neighbours[half]
-        return (other..other + 2).first { mesh.elements[it] == mesh.elements[MeshTopology.nextCorner(half)] }
-    }
+    /** Node in the middle of each half-edge. */
+    private fun middle(half: Int) = mesh.nodeCount + numbers.of(half)
 
     private fun places(): DoubleArray {
         val xy = mesh.xy.copyOf(2 * nodeCount)
         for (half in 0 until halves) {
             val a = mesh.elements[half]
             val b = mesh.elements[MeshTopology.nextCorner(half)]
-            val m = middle[half]
-            xy[2 * m] = mesh.x(a) + 0.5 * (mesh.x(b) - mesh.x(a))
-            xy[2 * m + 1] = mesh.y(a) + 0.5 * (mesh.y(b) - mesh.y(a))
+            val m = middle(half)
+            xy[2 * m] = EdgeMiddles.halfway(mesh.x(a), mesh.x(b))
+            xy[2 * m + 1] = EdgeMiddles.halfway(mesh.y(a), mesh.y(b))
         }
         val sides = TaggedSides(mesh)
         for (edge in 0 until mesh.taggedEdgeCount) {
             val place = middles.middleOf(mesh, edge)
-            middlePlace(sides.leftOf(edge), place, xy)
+            val m = middle(sides.leftOf(edge))
+            xy[2 * m] = place[0]
+            xy[2 * m + 1] = place[1]
         }
         return xy
-    }
-
-    private fun middlePlace(half: Int, place: DoubleArray, xy: DoubleArray) {
-        xy[2 * middle[half]] = place[0]
-        xy[2 * middle[half] + 1] = place[1]
     }
 
     private fun elements(): IntArray {
@@ -49,10 +41,10 @@ internal class UniformRefinement(private val mesh: TriMesh, private val middles:
         for (t in 0 until halves step 3) {
             for (k in 0..2) {
                 result[at++] = mesh.elements[t + k]
-                result[at++] = middle[t + k]
-                result[at++] = middle[t + (k + 2) % 3]
+                result[at++] = middle(t + k)
+                result[at++] = middle(t + (k + 2) % 3)
             }
-            for (k in 0..2) result[at++] = middle[t + k]
+            for (k in 0..2) result[at++] = middle(t + k)
         }
         return result
     }
@@ -61,7 +53,7 @@ internal class UniformRefinement(private val mesh: TriMesh, private val middles:
         val sides = TaggedSides(mesh)
         val result = IntArray(4 * mesh.taggedEdgeCount)
         for (edge in 0 until mesh.taggedEdgeCount) {
-            val m = middle[sides.leftOf(edge)]
+            val m = middle(sides.leftOf(edge))
             result[4 * edge] = mesh.edgeStart(edge)
             result[4 * edge + 1] = m
             result[4 * edge + 2] = m

@@ -2,6 +2,7 @@ package org.trigrid.numbering
 
 import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.mesh.MeshTopology
+import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.mesh.TriMesh
 
 /**
@@ -76,6 +77,10 @@ public class NodeGraph private constructor(
         /** The graph of the nodes of [mesh], two being neighbours if an element has both. */
         @JvmStatic
         public fun of(mesh: TriMesh): NodeGraph = of(mesh, Checkpoint.unheard())
+
+        /** The graph of the nodes of [mesh], two of the six nodes of an element being neighbours. */
+        @JvmStatic
+        public fun of(mesh: QuadraticMesh): NodeGraph = ofEdges(mesh.nodeCount, QuadraticPairs.of(mesh))
 
         internal fun of(mesh: TriMesh, checkpoint: Checkpoint): NodeGraph {
             val elements = mesh.elements

@@ -1,6 +1,7 @@
 package org.trigrid.numbering
 
 import org.trigrid.diagnostics.Checkpoint
+import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.mesh.TriMesh
 
 /** What a node order costs a band or profile solver. */
@@ -25,6 +26,18 @@ public class NumberingMetrics internal constructor(
         /** The metrics of a mesh in the order it has. */
         @JvmStatic
         public fun of(mesh: TriMesh): NumberingMetrics = of(mesh, Checkpoint.unheard())
+
+        /** The metrics of a mesh in the order it has. */
+        @JvmStatic
+        public fun of(mesh: QuadraticMesh): NumberingMetrics {
+            val lowest = IntArray(mesh.nodeCount) { it }
+            for (element in 0 until mesh.elementCount) {
+                var low = mesh.nodeOf(element, 0)
+                for (k in 1..5) low = minOf(low, mesh.nodeOf(element, k))
+                for (k in 0..5) mesh.nodeOf(element, k).let { lowest[it] = minOf(lowest[it], low) }
+            }
+            return ofLowest(lowest, Checkpoint.unheard())
+        }
 
         internal fun of(mesh: TriMesh, checkpoint: Checkpoint): NumberingMetrics {
             val lowest = IntArray(mesh.nodeCount) { it }

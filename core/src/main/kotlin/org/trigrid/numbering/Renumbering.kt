@@ -1,6 +1,7 @@
 package org.trigrid.numbering
 
 import org.trigrid.diagnostics.Checkpoint
+import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.mesh.TriMesh
 
 /** Finds new numbers for the nodes of a graph, part by part where it falls into several. */
@@ -47,11 +48,26 @@ internal object Renumbering {
             checkpoint.pass()
             next[mesh.edgeStart(e)] = mesh.edgeEnd(e)
         }
-        val walks = IntArray(mesh.boundaryEdgeCount)
-        var count = 0
+        return walks(next, mesh.boundaryEdgeCount, checkpoint) { mesh.edgeStart(it) }
+    }
+
+    /** As for a [TriMesh], with the middles between their ends. */
+    fun boundaryWalks(mesh: QuadraticMesh): IntArray {
+        val next = IntArray(mesh.nodeCount) { TriMesh.NONE }
         for (e in 0 until mesh.boundaryEdgeCount) {
+            next[mesh.edgeStart(e)] = mesh.edgeMiddle(e)
+            next[mesh.edgeMiddle(e)] = mesh.edgeEnd(e)
+        }
+        return walks(next, mesh.boundaryEdgeCount, Checkpoint.unheard()) { mesh.edgeStart(it) }
+    }
+
+    /** @param next the node after each on its walk, -1 for others; all are -1 afterwards. */
+    private inline fun walks(next: IntArray, edgeCount: Int, checkpoint: Checkpoint, start: (Int) -> Int): IntArray {
+        val walks = IntArray(next.count { it >= 0 })
+        var count = 0
+        for (e in 0 until edgeCount) {
             checkpoint.pass()
-            var node = mesh.edgeStart(e)
+            var node = start(e)
             while (next[node] >= 0) {
                 walks[count++] = node
                 val to = next[node]

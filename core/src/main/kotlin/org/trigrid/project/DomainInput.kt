@@ -2,6 +2,8 @@ package org.trigrid.project
 
 import org.trigrid.MeshOptions
 import org.trigrid.domain.Domain
+import org.trigrid.domain.Path
+import org.trigrid.mesh.EdgeMiddles
 
 /** A domain as a file gives it, and the options that the file asks to mesh it with. */
 public class DomainInput internal constructor(
@@ -9,6 +11,13 @@ public class DomainInput internal constructor(
     @get:JvmName("name") public val name: String,
     @get:JvmName("domain") public val domain: Domain,
     @get:JvmName("options") public val options: MeshOptions,
+    private val path: Path,
 ) {
+    /**
+     * Middles of the domain's boundary edges on the curves of a project, straight ones for other files. A new object, for one
+     * mesh.
+     */
+    public fun middles(): EdgeMiddles = ShapeMiddles(path)
+
     override fun toString(): String = "$name (${domain.nodeCount} nodes)"
 }

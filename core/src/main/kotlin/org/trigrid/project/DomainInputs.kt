@@ -34,11 +34,12 @@ public object DomainInputs {
         val asked = given.toBuilder().keepConnectors(given.keepsConnectors || options.keepConnectors)
         if (options.hasSpacing()) asked.path(respaced(given.path, options))
         val project = asked.build()
-        return DomainInput(file.fileName.toString().dropLast(PROJECT_ENDING.length), project.toDomain(), project.options)
+        val name = file.fileName.toString().dropLast(PROJECT_ENDING.length)
+        return DomainInput(name, project.toDomain(), project.options, project.path)
     }
 
     private fun fromFormats(file: Path, options: InputOptions): List<DomainInput> =
-        DomainFormats.read(file, options.division).map { DomainInput(it.name, it.domain, MeshOptions.DEFAULT) }
+        DomainFormats.read(file, options.division).map { DomainInput(it.name, it.domain, MeshOptions.DEFAULT, ShapePath.EMPTY) }
 
     /** Every shape with the spacing and ratio asked for, as if its nodes had never been edited. */
     private fun respaced(path: ShapePath, options: InputOptions): ShapePath =

@@ -19,6 +19,7 @@ import org.trigrid.io.JsonDocument
 import org.trigrid.numbering.NumberingMethod
 import org.trigrid.shape.Distribution
 import org.trigrid.shape.Rounding
+import org.trigrid.spacing.SizeSources
 import org.trigrid.spacing.Sizes
 
 /** Makes a [Project] of the text of a project file. */
@@ -78,10 +79,20 @@ internal object ProjectReader {
                 .smoothingTolerance(fields.number("smoothingTolerance", standard.smoothingTolerance))
                 .numbering(fields.choice("numbering", NumberingMethod.entries, standard.numbering))
             if (fields.has("maxSize")) builder.maxSize(fields.number("maxSize"))
+            if (fields.has("sizeSources")) builder.sizeSources(sources(fields.items("sizeSources")))
             if (fields.has("maxElements")) builder.maxElements(fields.whole("maxElements"))
             fields.end()
             builder.build()
         }
+    }
+
+    private fun sources(items: List<JsonValue>): SizeSources = items.fold(SizeSources.NONE) { sources, item ->
+        val fields = JsonFields(item, "a size source")
+        val size = fields.number("size")
+        val line = if (fields.has("along")) fields.points("along").flatMap { listOf(it.x, it.y) }.toDoubleArray() else null
+        val point = if (line == null) fields.point("at") else null
+        fields.end()
+        checked(fields) { if (point != null) sources.withPoint(size, point.x, point.y) else sources.withLine(size, *line!!) }
     }
 
     private fun <T> checked(fields: JsonFields, make: () -> T): T = try {

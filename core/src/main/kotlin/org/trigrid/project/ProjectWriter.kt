@@ -31,6 +31,7 @@ import org.trigrid.shape.Lines
 import org.trigrid.shape.Polygon
 import org.trigrid.shape.Rectangle
 import org.trigrid.shape.Shape
+import org.trigrid.spacing.SizeSources
 
 /** Makes the JSON of a project file. */
 internal class ProjectWriter(private val project: Project) {
@@ -75,7 +76,19 @@ internal class ProjectWriter(private val project: Project) {
         if (options.smoothingTolerance != standard.smoothingTolerance) put("smoothingTolerance", number(options.smoothingTolerance))
         if (options.numbering != standard.numbering) put("numbering", JsonFields.word(options.numbering))
         if (options.maxElements != standard.maxElements) put("maxElements", options.maxElements)
+        if (options.sizeSources.count > 0) put("sizeSources", sources(options.sizeSources))
     }
+
+    private fun sources(sources: SizeSources) = JsonArray(
+        List(sources.count) { i ->
+            val xy = sources.placeOf(i)
+            val places = List(xy.size / 2) { Point2(xy[2 * it], xy[2 * it + 1]) }
+            buildJsonObject {
+                put("size", number(sources.sizeOf(i)))
+                if (places.size == 1) put("at", point(places[0])) else put("along", points(places))
+            }
+        },
+    )
 
     private fun step(step: PathStep): JsonObject = buildJsonObject {
         when (step) {

@@ -56,13 +56,12 @@ public class Arc internal constructor(
     override fun reversed(): Arc = Arc(lastPoint, firstPoint, -angleDegrees, traits.reversed())
 
     override fun explodeWith(traits: Traits): DoubleArray =
-        TrackExploder.explode(traits, angleDegrees > 0) { forward ->
-            if (forward) {
-                ArcTrack(firstPoint, lastPoint, angleDegrees / FULL_TURN)
-            } else {
-                ArcTrack(lastPoint, firstPoint, -angleDegrees / FULL_TURN)
-            }
-        }
+        TrackExploder.explode(traits, angleDegrees > 0, ::track)
+
+    override fun track(): Track = track(true)
+
+    private fun track(forward: Boolean) =
+        if (forward) ArcTrack(firstPoint, lastPoint, angleDegrees / FULL_TURN) else ArcTrack(lastPoint, firstPoint, -angleDegrees / FULL_TURN)
 
     override fun geometry(): List<Any> = listOf(firstPoint, lastPoint, angleDegrees)
 

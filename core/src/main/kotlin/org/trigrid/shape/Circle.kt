@@ -73,9 +73,11 @@ public class Circle internal constructor(
     override fun reversed(): Circle = Circle(firstPoint, centre, direction.opposite(), traits.reversed())
 
     override fun explodeWith(traits: Traits): DoubleArray =
-        TrackExploder.explode(traits, direction == Direction.ANTICLOCKWISE) { forward ->
-            CircleTrack(firstPoint, centre, radius, if (forward) direction.sign else -direction.sign)
-        }
+        TrackExploder.explode(traits, direction == Direction.ANTICLOCKWISE, ::track)
+
+    override fun track(): Track = track(true)
+
+    private fun track(forward: Boolean) = CircleTrack(firstPoint, centre, radius, if (forward) direction.sign else -direction.sign)
 
     override fun geometry(): List<Any> = listOf(firstPoint, centre, direction)
 

@@ -71,9 +71,11 @@ public class Curve internal constructor(
     )
 
     override fun explodeWith(traits: Traits): DoubleArray =
-        TrackExploder.explode(traits, isCanonical()) { forward ->
-            SplineTrack(Spline.through(if (forward) this else reversed()))
-        }
+        TrackExploder.explode(traits, isCanonical(), ::track)
+
+    override fun track(): Track = track(true)
+
+    private fun track(forward: Boolean) = SplineTrack(Spline.through(if (forward) this else reversed()))
 
     override fun geometry(): List<Any> = listOf(vertices, ends, beginTangent.toString(), endTangent.toString())
 

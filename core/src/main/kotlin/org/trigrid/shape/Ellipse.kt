@@ -99,9 +99,11 @@ public class Ellipse internal constructor(
         Ellipse(firstPoint, centre, radiusX, radiusY, rotationDegrees, direction.opposite(), traits.reversed())
 
     override fun explodeWith(traits: Traits): DoubleArray =
-        TrackExploder.explode(traits, direction == Direction.ANTICLOCKWISE) { forward ->
-            EllipseTrack(firstPoint, frame, if (forward) direction.sign else -direction.sign)
-        }
+        TrackExploder.explode(traits, direction == Direction.ANTICLOCKWISE, ::track)
+
+    override fun track(): Track = track(true)
+
+    private fun track(forward: Boolean) = EllipseTrack(firstPoint, frame, if (forward) direction.sign else -direction.sign)
 
     override fun geometry(): List<Any> = listOf(firstPoint, centre, radiusX, radiusY, rotationDegrees, direction)
 

@@ -50,6 +50,9 @@ public sealed class Shape(
 
     internal abstract fun explodeWith(traits: Traits): DoubleArray
 
+    /** The shape in its own direction, by arc length; null where it has straight sides. */
+    internal open fun track(): Track? = null
+
     /** The same shape travelled the other way: it explodes to the same nodes in the opposite order, bit for bit. */
     public abstract fun reversed(): Shape
 

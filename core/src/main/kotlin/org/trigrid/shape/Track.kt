@@ -42,6 +42,13 @@ internal object TrackExploder {
         else -> 1 / traits.ratio
     }
 
+    /** Where the [count] + 1 nodes of an exploded shape lie in its own direction, as parts of its length. */
+    fun fractions(traits: Traits, count: Int): DoubleArray {
+        val fractions = Intervals.fractions(count, growth(traits), traits.distribution)
+        val isTurned = traits.distribution != Distribution.SYMMETRIC && traits.ratio < 1
+        return if (isTurned) DoubleArray(count + 1) { 1 - fractions[count - it] } else fractions
+    }
+
     private fun place(track: Track, fractions: DoubleArray): DoubleArray {
         val xy = DoubleArray(2 * fractions.size)
         for (k in fractions.indices) track.place(fractions[k], xy, k)

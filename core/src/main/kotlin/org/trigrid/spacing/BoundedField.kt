@@ -4,28 +4,27 @@ package org.trigrid.spacing
  * The boundary's field brought within the user's sizes and the global bounds.
  *
  * - [minSize] is a plain floor: no inner edge is asked to be shorter, even beside shorter boundary segments.
- * - [maxSize] and the user's sizes are ceilings. Boundary segments are never divided, so beside a segment longer than the
+ * - The largest size, the user's sizes and those of sources are ceilings. Boundary segments are never divided, so beside a segment longer than the
  *   ceiling the size falls from the segment's own to the ceiling by the gradation: `max over nodes i of (h_i - g |x - x_i|)`
  *   is still allowed. So no coarse side gets a row of needles.
  */
 internal class BoundedField(
     private val boundaryField: SizeField,
-    private val userSizes: SampledSizes?,
+    private val ceiling: SizeCeiling,
     private val minSize: Double,
-    private val maxSize: Double,
     /** Envelope of the negative sizes of the nodes that are coarser than the ceiling there; null if none is. */
     private val coarseNodes: ConeTree?,
 ) : SizeField {
     override val lastHint: Int get() = boundaryField.lastHint
 
     /** Distance below which the user's sizes may change; infinity if there are none. */
-    val detail: Double get() = userSizes?.evenCell ?: Double.POSITIVE_INFINITY
+    val detail: Double get() = ceiling.detail
 
     override fun hintOf(node: Int): Int = boundaryField.hintOf(node)
 
     override fun sizeAt(x: Double, y: Double, hint: Int): Double {
         val ofBoundary = boundaryField.sizeAt(x, y, hint)
-        val ceiling = if (userSizes == null) maxSize else Math.min(maxSize, userSizes.sizeAt(x, y))
+        val ceiling = ceiling.at(x, y)
         if (ofBoundary <= ceiling) return Math.max(minSize, ofBoundary)
         val allowed = if (coarseNodes == null) ceiling else -coarseNodes.min(x, y, coarseNodes.winner, -ceiling)
         return Math.max(minSize, Math.min(ofBoundary, allowed))

@@ -51,18 +51,31 @@ internal object SizeFields {
     private fun bounded(
         ofBoundary: SizeField, domain: Domain, sizes: DoubleArray, rules: SizeRules, checkpoint: Checkpoint,
     ): SizeField {
-        val function = rules.function
-        if (function == null && rules.minSize == 0.0 && rules.maxSize == Double.POSITIVE_INFINITY) return ofBoundary
-        val user = function?.let { sample(it, domain, rules.gradation, checkpoint) }
+        val hasSizes = rules.function != null || rules.sources.count > 0
+        if (!hasSizes && rules.minSize == 0.0 && rules.maxSize == Double.POSITIVE_INFINITY) return ofBoundary
+        val ceiling = ceiling(domain, rules, checkpoint)
         val coarse = IntList()
         for (node in sizes.indices) {
             checkpoint.pass()
-            val ofUser = user?.sizeAt(domain.x(node), domain.y(node)) ?: Double.POSITIVE_INFINITY
-            if (sizes[node] > Math.min(rules.maxSize, ofUser)) coarse.add(node)
+            if (sizes[node] > ceiling.at(domain.x(node), domain.y(node))) coarse.add(node)
         }
         val coarseXy = DoubleArray(2 * coarse.size) { domain.xy[2 * coarse[it / 2] + it % 2] }
         val coarseNodes = ConeTree(coarseXy, DoubleArray(coarse.size) { -sizes[coarse[it]] }, rules.gradation, checkpoint)
-        return BoundedField(ofBoundary, user, rules.minSize, rules.maxSize, if (coarse.size > 0) coarseNodes else null)
+        return BoundedField(ofBoundary, ceiling, rules.minSize, if (coarse.size > 0) coarseNodes else null)
+    }
+
+    private fun ceiling(domain: Domain, rules: SizeRules, checkpoint: Checkpoint): SizeCeiling {
+        val sources = rules.sources.graded(rules.gradation)
+        val minX = (0 until domain.nodeCount).minOf { domain.x(it) }
+        val minY = (0 until domain.nodeCount).minOf { domain.y(it) }
+        val extentX = (0 until domain.nodeCount).maxOf { domain.x(it) } - minX
+        val extentY = (0 until domain.nodeCount).maxOf { domain.y(it) } - minY
+        val extent = Math.max(extentX, extentY)
+        val sampled = rules.function?.let {
+            SampledSizes(it, minX, minY, extent, InsideLocator(domain), rules.gradation, checkpoint)
+        }
+        val detail = sampled?.evenCell ?: if (sources != null) extent / SOURCE_CELLS else Double.POSITIVE_INFINITY
+        return SizeCeiling(rules.maxSize, sampled, sources, detail)
     }
 
     /**
@@ -116,14 +129,6 @@ internal object SizeFields {
         return reach
     }
 
-    private fun sample(function: SizeFunction, domain: Domain, gradation: Double, checkpoint: Checkpoint): SampledSizes {
-        val minX = (0 until domain.nodeCount).minOf { domain.x(it) }
-        val minY = (0 until domain.nodeCount).minOf { domain.y(it) }
-        val extentX = (0 until domain.nodeCount).maxOf { domain.x(it) } - minX
-        val extentY = (0 until domain.nodeCount).maxOf { domain.y(it) } - minY
-        return SampledSizes(function, minX, minY, Math.max(extentX, extentY), InsideLocator(domain), gradation, checkpoint)
-    }
-
     /**
      * Mean length of the segments that end in each node, in the domain's unit; positive infinity for a node without a
      * segment.
@@ -146,6 +151,9 @@ internal object SizeFields {
         }
         return sizes
     }
+
+    /** Parts of the domain's width in which sources are looked for when elements are counted. */
+    private const val SOURCE_CELLS = 64
 
     /** Segments before and after a node that make its stretch of the boundary. */
     private const val WINDOW = 8

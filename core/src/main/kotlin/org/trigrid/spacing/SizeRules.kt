@@ -1,7 +1,7 @@
 package org.trigrid.spacing
 
 /** What is asked of the sizes inside a domain. */
-internal class SizeRules(
+internal class SizeRules @JvmOverloads constructor(
     val sizes: Sizes,
     /** Largest slope of the size, size per length, > 0. */
     val gradation: Double,
@@ -11,4 +11,6 @@ internal class SizeRules(
     val maxSize: Double,
     /** The user's sizes, or null. */
     val function: SizeFunction?,
+    /** Points and lines with sizes of their own. */
+    val sources: SizeSources = SizeSources.NONE,
 )

@@ -20,6 +20,7 @@ import org.trigrid.shape.Line
 import org.trigrid.shape.Rectangle
 import org.trigrid.shape.Rounding
 import org.trigrid.shape.randomShapes
+import org.trigrid.spacing.SizeSources
 import org.trigrid.spacing.Sizes
 import java.nio.file.Files
 import java.util.Random
@@ -57,6 +58,7 @@ class ProjectFileTest {
             val options = MeshOptions.builder().gradation(random.nextDouble() + 0.01).sizes(Sizes.GRADE).improve(false)
                 .minSize(random.nextDouble()).maxSize(1 + random.nextDouble()).strategy(Strategy.CLASSIC)
                 .numbering(NumberingMethod.CUTHILL_MCKEE).smoothingTolerance(random.nextDouble() + 0.001).maxElements(7)
+                .sizeSources(SizeSources.NONE.withPoint(random.nextDouble() + 0.01, 1.0 / 3, -2.5).withLine(0.5, 0.0, 1.0, random.nextDouble(), 3.0))
             val closed = path.walks().lastOrNull { it.isClosed }?.nodes()
             if (closed != null) path = path.turnWalk(closed[0]).moveNodes(intArrayOf(closed[0], closed[1]), doubleArrayOf(5.0, 6.0, 7.0, 8.0))
             val project = Project.builder().path(path).options(options.build()).regionName("ring \"é\" \\ \uD83D\uDE00")
@@ -72,6 +74,8 @@ class ProjectFileTest {
             }
             assertArrayEquals(project.loops[0].coordinates(), read.loops[0].coordinates())
             assertEquals(project.options.gradation, read.options.gradation)
+            for (i in 0..1) assertArrayEquals(project.options.sizeSources.placeOf(i), read.options.sizeSources.placeOf(i))
+            assertEquals(project.options.sizeSources.sizeOf(0), read.options.sizeSources.sizeOf(0))
             assertEquals(project.regionName, read.regionName)
         }
     }

@@ -48,4 +48,33 @@ class ShapeMiddlesTest {
         val straight = MeshRework.refine(MeshGenerator.generate(Project.of(edited).toDomain()).mesh, ShapeMiddles(edited))
         assertEquals(area(MeshGenerator.generate(Project.of(edited).toDomain()).mesh), area(straight), 1e-12)
     }
+
+    @Test
+    fun `with six nodes an element the area of curved domains is right to the fourth order`() {
+        for (ratio in doubleArrayOf(1.0, 2.5)) {
+            val errors = doubleArrayOf(0.4, 0.2, 0.1).map { spacing ->
+                val path = Path.of(Circle(0.0, 0.0, 1.0, spacing).withRatio(ratio)).newLoop().append(Ellipse(0.0, 0.0, 0.5, 0.3, spacing / 2))
+                val mesh = MeshGenerator.generate(Project.of(path).toDomain()).mesh
+                val quadratic = MeshRework.secondOrder(mesh, ShapeMiddles(path))
+                assertEquals(0, quadratic.straightenedEdgeCount)
+                Math.abs((0 until quadratic.elementCount).sumOf { quadratic.area(it) } - 0.85 * Math.PI)
+            }
+            // Half the spacing twice: 16 * 16 times less, or nearly so.
+            assertTrue(errors[2] < errors[0] / 150 && errors[2] < 1e-5, "ratio $ratio: $errors")
+        }
+    }
+
+    @Test
+    fun `middles lie halfway along the shape, also across the end of a closed one`() {
+        val path = Path.of(Circle(0.0, 0.0, 1.0, 0.6).withRatio(4.0))
+        val mesh = MeshGenerator.generate(Project.of(path).toDomain()).mesh
+        val middles = ShapeMiddles(path)
+        for (e in 0 until mesh.taggedEdgeCount) {
+            val middle = middles.middleOf(mesh, e)
+            val toStart = Math.hypot(middle[0] - mesh.x(mesh.edgeStart(e)), middle[1] - mesh.y(mesh.edgeStart(e)))
+            val toEnd = Math.hypot(middle[0] - mesh.x(mesh.edgeEnd(e)), middle[1] - mesh.y(mesh.edgeEnd(e)))
+            assertEquals(toStart, toEnd, 1e-12)
+            assertEquals(1.0, Math.hypot(middle[0], middle[1]), 1e-12)
+        }
+    }
 }

@@ -7,12 +7,12 @@ import org.trigrid.cli.Failures
 import org.trigrid.cli.Figures
 import org.trigrid.cli.MeshFigures
 import org.trigrid.cli.NumberedFiles
+import org.trigrid.cli.OrderedMesh
 import org.trigrid.cli.ReportJson
 import org.trigrid.cli.RunClock
 import org.trigrid.cli.Session
 import org.trigrid.diagnostics.MeshingCancelledException
 import org.trigrid.io.MeshFormat
-import org.trigrid.io.MeshFormats
 import org.trigrid.project.DomainInput
 import org.trigrid.project.DomainInputs
 import org.trigrid.project.InputOptions
@@ -29,6 +29,8 @@ import java.util.concurrent.TimeUnit
 internal class BatchPlan(
     val inputOptions: InputOptions,
     val format: MeshFormat,
+    /** Of the elements. */
+    val order: Int,
     val jobs: Int,
     /** Whether meshes that are newer than their input are left as they are. */
     val resumes: Boolean,
@@ -88,12 +90,14 @@ internal class BatchRun(
         if (plan.resumes && isThere(output, file.input)) return progress.skip(share)
         val clock = RunClock()
         attempt(file, given.name, share) {
-            val result = MeshGenerator.generate(given.domain, plan.options(given.options)) { _, _ -> !session.cancellation.isRequested }
+            val options = plan.options(given.options)
+            val result = MeshGenerator.generate(given.domain, options) { _, _ -> !session.cancellation.isRequested }
+            val ordered = clock.ordering { OrderedMesh.of(result.mesh, plan.order, options.numbering, given::middles) }
             clock.writing {
                 output.toAbsolutePath().parent?.let { Files.createDirectories(it) }
-                MeshFormats.write(result.mesh, output, plan.format)
+                ordered.write(output, plan.format)
             }
-            log.write(ReportJson.line(file.input, output, MeshFigures(given.name, result.report, clock)))
+            log.write(ReportJson.line(file.input, output, MeshFigures(given.name, result.report, clock, ordered.quadratic)))
             progress.done(share, result.mesh.elementCount)
         }
     }
