@@ -4,6 +4,7 @@ import org.jetbrains.kotlin.gradle.dsl.KotlinJvmProjectExtension
 plugins {
     alias(libs.plugins.kotlin.jvm) apply false
     alias(libs.plugins.kotlin.serialization) apply false
+    alias(libs.plugins.dokka.javadoc) apply false
 }
 
 allprojects {
@@ -36,14 +37,8 @@ subprojects {
                 )
             }
         }
-        extensions.configure<PublishingExtension> {
-            publications {
-                create<MavenPublication>("maven") {
-                    from(components["java"])
-                    artifactId = "trigrid-${project.name}"
-                }
-            }
-        }
+        // Nobody needs the benchmarks as a library.
+        if (name != "benchmarks") publishWithApiPages()
     }
 
     tasks.withType<JavaCompile>().configureEach {
@@ -60,5 +55,31 @@ subprojects {
         archiveBaseName.set("trigrid-${project.name}")
         isPreserveFileTimestamps = false
         isReproducibleFileOrder = true
+        manifest.attributes("Implementation-Title" to "trigrid-${project.name}", "Implementation-Version" to project.version)
+    }
+}
+
+// `./gradlew publishAllPublicationsToFolderRepository` publishes the jars with sources and API pages to build/repository.
+fun Project.publishWithApiPages() {
+    pluginManager.apply("maven-publish")
+    pluginManager.apply("org.jetbrains.dokka-javadoc")
+    val apiPages = tasks.register<Jar>("apiPagesJar") {
+        archiveClassifier.set("javadoc")
+        from(tasks.named("dokkaGeneratePublicationJavadoc"))
+    }
+    extensions.configure<PublishingExtension> {
+        publications {
+            create<MavenPublication>("maven") {
+                from(components["java"])
+                artifact(apiPages)
+                artifactId = "trigrid-${project.name}"
+            }
+        }
+        repositories {
+            maven {
+                name = "folder"
+                url = uri(rootProject.layout.buildDirectory.dir("repository"))
+            }
+        }
     }
 }

@@ -30,7 +30,10 @@ class BuildEqualityTest {
     fun `same libraries in the same versions`() {
         assertTrue(maven.managedVersions.size >= 12)
         assertEquals(maven.managedVersions.toSortedMap(), (gradle.libraryVersions - launcher).toSortedMap())
-        assertEquals(maven.kotlinVersion, gradle.versions["kotlin"])
+        for ((plugin, version) in gradle.pluginVersions) {
+            val expected = if ("dokka" in plugin) maven.dokkaVersion else maven.kotlinVersion
+            assertEquals(expected, version, plugin)
+        }
     }
 
     @Test

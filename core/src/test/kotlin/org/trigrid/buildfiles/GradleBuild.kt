@@ -21,10 +21,12 @@ internal class GradleBuild(private val root: Path) {
     val libraryVersions: Map<String, String> =
         libraryLines().associate { it.groupValues[2] to versions.getValue(it.groupValues[3]) }
 
-    /** Alias to plugin id; every plugin has the version of Kotlin. */
-    val plugins: Map<String, String> =
-        Regex("""(?m)^([\w-]+) = \{ id = "([^"]+)", version.ref = "kotlin" }$""").findAll(table("plugins"))
-            .associate { dotted(it.groupValues[1]) to it.groupValues[2] }
+    /** Alias to plugin id. */
+    val plugins: Map<String, String> = pluginLines().associate { dotted(it.groupValues[1]) to it.groupValues[2] }
+
+    /** Plugin id to version. */
+    val pluginVersions: Map<String, String> =
+        pluginLines().associate { it.groupValues[2] to versions.getValue(it.groupValues[3]) }
 
     val modules: List<String> =
         Regex("""include\("([^"]+)"\)""").findAll(settings).map { it.groupValues[1] }.toList()
@@ -74,6 +76,9 @@ internal class GradleBuild(private val root: Path) {
 
     private fun libraryLines() =
         Regex("""(?m)^([\w-]+) = \{ module = "([^"]+)", version.ref = "([^"]+)" }$""").findAll(table("libraries"))
+
+    private fun pluginLines() =
+        Regex("""(?m)^([\w-]+) = \{ id = "([^"]+)", version.ref = "([^"]+)" }$""").findAll(table("plugins"))
 
     private fun table(name: String): String = one(catalog, """(?s)\[$name]\n(.*?)(?:\n\[|$)""")
 

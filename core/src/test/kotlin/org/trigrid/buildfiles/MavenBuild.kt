@@ -46,6 +46,7 @@ internal class MavenBuild(private val root: Path) {
     val release: String = properties.getValue("maven.compiler.release")
     val excludedTags: String = properties.getValue("excludedGroups")
     val kotlinVersion: String = properties.getValue("kotlin.version")
+    val dokkaVersion: String = properties.getValue("dokka.version")
     val testMemory: String = parent.descendants("argLine").single().textContent
 
     private fun pom(module: String) = parse(root.resolve(module).resolve("pom.xml"))
