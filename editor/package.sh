@@ -44,7 +44,7 @@ mkdir -p "$target/input"
 cp "$jar" "$target/input"
 cp -R target/lib "$target/input/lib"
 
-icon=$source/icon.png
+icon=src/main/resources/org/trigrid/editor/app/icon.png
 case $(uname -s) in
     Darwin)
         icon=$source/icon.icns
