@@ -5,6 +5,7 @@ plugins {
     alias(libs.plugins.kotlin.jvm) apply false
     alias(libs.plugins.kotlin.serialization) apply false
     alias(libs.plugins.dokka) apply false
+    alias(libs.plugins.dokka.javadoc) apply false
 }
 
 allprojects {
@@ -37,14 +38,8 @@ subprojects {
                 )
             }
         }
-        extensions.configure<PublishingExtension> {
-            publications {
-                create<MavenPublication>("maven") {
-                    from(components["java"])
-                    artifactId = "trigrid-${project.name}"
-                }
-            }
-        }
+        // Nobody needs the others as a library.
+        if (name in setOf("core", "cli", "editor")) publishWithApiPages()
     }
 
     tasks.withType<JavaCompile>().configureEach {
@@ -61,5 +56,31 @@ subprojects {
         archiveBaseName.set("trigrid-${project.name}")
         isPreserveFileTimestamps = false
         isReproducibleFileOrder = true
+        manifest.attributes("Implementation-Title" to "trigrid-${project.name}", "Implementation-Version" to project.version)
+    }
+}
+
+// `./gradlew publishAllPublicationsToFolderRepository` publishes the jars with sources and API pages to build/repository.
+fun Project.publishWithApiPages() {
+    pluginManager.apply("maven-publish")
+    pluginManager.apply("org.jetbrains.dokka-javadoc")
+    val apiPages = tasks.register<Jar>("apiPagesJar") {
+        archiveClassifier.set("javadoc")
+        from(tasks.named("dokkaGeneratePublicationJavadoc"))
+    }
+    extensions.configure<PublishingExtension> {
+        publications {
+            create<MavenPublication>("maven") {
+                from(components["java"])
+                artifact(apiPages)
+                artifactId = "trigrid-${project.name}"
+            }
+        }
+        repositories {
+            maven {
+                name = "folder"
+                url = uri(rootProject.layout.buildDirectory.dir("repository"))
+            }
+        }
     }
 }

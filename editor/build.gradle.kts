@@ -60,3 +60,13 @@ tasks.named<Test>("test") {
     systemProperty("testfx.robot", "glass")
     systemProperty("prism.order", "sw")
 }
+
+// Whoever uses the editor as a library gets JavaFX for their own platform, by the POMs of JavaFX.
+extensions.configure<PublishingExtension> {
+    publications.withType<MavenPublication>().configureEach {
+        pom.withXml {
+            val classifiers = asElement().getElementsByTagName("classifier")
+            while (classifiers.length > 0) classifiers.item(0).let { it.parentNode.removeChild(it) }
+        }
+    }
+}

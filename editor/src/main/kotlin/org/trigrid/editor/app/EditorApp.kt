@@ -1,6 +1,7 @@
 package org.trigrid.editor.app
 
 import javafx.application.Application
+import javafx.scene.image.Image
 import javafx.stage.Stage
 import org.trigrid.editor.files.Preferences
 import java.nio.file.Path
@@ -20,6 +21,7 @@ internal class EditorApp : Application() {
         // Before any control is made, so that none asks for colours that are not there yet.
         Theme.LIGHT.apply()
         val window = EditorWindow(stage, Preferences(Preferences.folder()), worker)
+        stage.icons.add(Image(checkNotNull(javaClass.getResourceAsStream("icon.png"))))
         stage.show()
         val screenshot = ScreenshotRun.of(parameters.named)
         val file = parameters.unnamed.firstOrNull()?.let { Path.of(it) }
