@@ -50,7 +50,8 @@ internal class DomainPicture(private val domain: Domain, private val options: Pi
         }
     }
 
-    private fun colourOf(tag: Int): Int = Palette.groups[usedTags.indexOf(tag) % Palette.groups.size]
+    private fun colourOf(tag: Int): Int =
+        options.groupColours[domain.tags[tag]] ?: Palette.groups[usedTags.indexOf(tag) % Palette.groups.size]
 
     /** Closed walks along the segments; which way they go on where several leave a node does not change the area. */
     private fun walks(): List<DoubleArray> {

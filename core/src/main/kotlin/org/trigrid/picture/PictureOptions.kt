@@ -26,6 +26,10 @@ public class PictureOptions private constructor(builder: Builder) {
     @get:JvmName("size")
     public val size: Int = builder.size
 
+    /** Colour of each group that has one of its own, as `0xRRGGBB`, by name, in pictures of domains; unmodifiable. Default none. */
+    @get:JvmName("groupColours")
+    public val groupColours: Map<String, Int> = java.util.Map.copyOf(builder.groupColours)
+
     /** Collects options; the same builder may build several times. */
     public class Builder internal constructor() {
         internal var quality = false
@@ -34,6 +38,7 @@ public class PictureOptions private constructor(builder: Builder) {
         internal var elementNumbers = false
         internal var firstNumber = 1
         internal var size = 1000
+        internal var groupColours: Map<String, Int> = emptyMap()
 
         /** Sets [PictureOptions.quality]. */
         public fun quality(value: Boolean): Builder = apply { quality = value }
@@ -54,6 +59,18 @@ public class PictureOptions private constructor(builder: Builder) {
         public fun size(value: Int): Builder = apply {
             require(value in 100..20_000) { "size must be from 100 to 20000, not $value" }
             size = value
+        }
+
+        /**
+         * Sets [PictureOptions.groupColours].
+         *
+         * @throws IllegalArgumentException if one is not from 0 to `0xFFFFFF`.
+         */
+        public fun groupColours(value: Map<String, Int>): Builder = apply {
+            for ((name, colour) in value) {
+                require(colour in 0..0xFFFFFF) { "the colour of \"$name\" must be from 0 to 0xFFFFFF, not $colour" }
+            }
+            groupColours = value
         }
 
         /** The options as they are now. */

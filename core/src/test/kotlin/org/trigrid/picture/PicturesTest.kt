@@ -99,6 +99,19 @@ class PicturesTest {
     }
 
     @Test
+    fun `groups have the colours that are chosen for them`() {
+        val domain = Domain.builder().outer(doubleArrayOf(0.0, 0.0, 1.0, 0.0, 1.0, 1.0), "rim")
+            .hole(doubleArrayOf(0.6, 0.2, 0.8, 0.2, 0.8, 0.4), "hole").build()
+        val options = PictureOptions.builder().groupColours(mapOf("hole" to 0x12ab34, "unused" to 0)).build()
+        val file = folder.resolve("groups.svg")
+        Pictures.domain(domain, options).writeSvg(file)
+        assertTrue("#12ab34" in Files.readString(file).lowercase())
+        Pictures.domain(domain).writeSvg(file)
+        assertTrue("#12ab34" !in Files.readString(file).lowercase())
+        assertThrows(IllegalArgumentException::class.java) { PictureOptions.builder().groupColours(mapOf("hole" to -1)) }
+    }
+
+    @Test
     fun `faulty and empty things are drawn as far as they go`() {
         val open = Domain(
             doubleArrayOf(0.0, 0.0, 1.0, Double.NaN, 1.0, 1.0, 0.0, 0.0), intArrayOf(0, 1, 1, 2, 2, 3), IntArray(3), BooleanArray(3),

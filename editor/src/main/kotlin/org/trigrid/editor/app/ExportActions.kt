@@ -61,9 +61,10 @@ internal class ExportActions(
 
     private fun picture(): org.trigrid.picture.Picture {
         val mesh = session.mesh
-        val options = PictureOptions.builder().quality(session.view.colouring != Colouring.NONE).build()
+        val colours = session.document.project.colours.mapValues { (_, colour) -> colour.substring(1).toInt(16) }
+        val options = PictureOptions.builder().quality(session.view.colouring != Colouring.NONE).groupColours(colours).build()
         if (mesh != null && session.view.showMesh) return Pictures.mesh(mesh.mesh, options)
-        return Pictures.domain(session.document.project.toDomain())
+        return Pictures.domain(session.document.project.toDomain(), options)
     }
 
     private fun choose(title: String, kind: String, ending: String): Path? {
