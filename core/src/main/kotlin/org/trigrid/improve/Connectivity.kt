@@ -64,12 +64,6 @@ internal class Connectivity(@JvmField val mesh: MutableMesh, progress: ImprovePr
         return h
     }
 
-    /** Whether the edge lies inside the domain and is no embedded segment, so that it may be flipped. */
-    fun isFlippable(h: Int): Boolean {
-        if (mesh.twins[h] < 0) return false
-        return !mesh.isEmbedded(mesh.elements[h], mesh.elements[next(h)])
-    }
-
     /**
      * Turns the edge a-b of the elements (a, b, c) and (b, a, d) into d-c:
      * ```

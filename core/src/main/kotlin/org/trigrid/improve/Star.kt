@@ -138,14 +138,15 @@ internal class Star {
     }
 
     /**
-     * One Newton step towards the least sum of 1/q or, if [steep], of (1/q)^8, which cares for the worst element nearly
-     * alone; halved until the sum falls. Returns whether the place moved.
+     * One Newton step towards the least sum of (1/q)^8, which cares for the worst element nearly alone; halved until the sum
+     * falls. Returns whether the place moved.
      */
-    fun newtonStep(steep: Boolean): Boolean {
-        val before = derive(steep)
-        return prepareStep(before) && shortenedStep(before, steep)
+    fun worstFirstStep(): Boolean {
+        val before = derive(steep = true)
+        return prepareStep(before) && shortenedStep(before, steep = true)
     }
 
+    /** Newton's step from the derivatives at hand; false where there is none. */
     private fun prepareStep(before: Double): Boolean {
         val det = hessianXx * hessianYy - hessianXy * hessianXy
         if (before == Double.POSITIVE_INFINITY || !(det > 0)) return false
@@ -155,6 +156,7 @@ internal class Star {
         return true
     }
 
+    /** Takes the step, halved until the sum falls below [before]. */
     private fun shortenedStep(before: Double, steep: Boolean): Boolean {
         for (trial in 0..MAX_HALVINGS) {
             if (sumAt(x + stepX, y + stepY, steep) < before) {
@@ -168,7 +170,7 @@ internal class Star {
         return false
     }
 
-    /** The sum that [newtonStep] lowers; infinite where an element is not surely positive. */
+    /** The sum of 1/q or, if [steep], of (1/q)^8; infinite where an element is not surely positive. */
     private fun sumAt(px: Double, py: Double, steep: Boolean): Double {
         var sum = 0.0
         var ax = xy[0] - px

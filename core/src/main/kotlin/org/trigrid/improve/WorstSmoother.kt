@@ -48,7 +48,7 @@ internal class WorstSmoother(
             progress.tick(n, count)
             if (connectivity.outgoing[n] < 0 || !changes.take(n, Changes.WORST)) continue
             star.gather(connectivity, n)
-            if (star.minQuality() > FAIR || !star.newtonStep(steep = true)) continue
+            if (star.minQuality() > FAIR || !star.worstFirstStep()) continue
             val dx = star.x - mesh.xy[2 * n]
             val dy = star.y - mesh.xy[2 * n + 1]
             mesh.xy[2 * n] = star.x

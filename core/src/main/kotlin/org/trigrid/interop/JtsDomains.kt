@@ -100,12 +100,14 @@ public object JtsDomains {
         return DoubleArray(2 * (sequence.size() - 1)) { sequence.getOrdinate(it / 2, it % 2) }
     }
 
-    private fun coordinates(domain: Domain, loop: Int): DoubleArray {
+    /** x0, y0, x1, y1, … of a loop. */
+    internal fun coordinates(domain: Domain, loop: Int): DoubleArray {
         val nodes = domain.loopNodes(loop)
         return DoubleArray(2 * nodes.size) { if (it % 2 == 0) domain.x(nodes[it / 2]) else domain.y(nodes[it / 2]) }
     }
 
-    private fun ring(domain: Domain, loop: Int): LinearRing {
+    /** A loop as a closed ring. */
+    internal fun ring(domain: Domain, loop: Int): LinearRing {
         val nodes = domain.loopNodes(loop)
         return FACTORY.createLinearRing(
             Array(nodes.size + 1) { Coordinate(domain.x(nodes[it % nodes.size]), domain.y(nodes[it % nodes.size])) },

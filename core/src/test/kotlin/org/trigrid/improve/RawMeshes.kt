@@ -74,7 +74,7 @@ internal object RawMeshes {
         val connectivity = Connectivity(mesh)
         repeat(times) {
             val h = random.nextInt(3 * mesh.elementCount)
-            if (!connectivity.isFlippable(h)) return@repeat
+            if (mesh.twins[h] < 0 || mesh.isEmbedded(mesh.elements[h], mesh.elements[Connectivity.next(h)])) return@repeat
             if (isConvex(mesh, h)) connectivity.flip(h)
         }
     }
