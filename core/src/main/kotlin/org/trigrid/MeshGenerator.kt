@@ -84,7 +84,7 @@ public object MeshGenerator {
 
         run.begin(Stage.IMPROVE)
         if (options.improve) {
-            MeshImprovement.improve(raw.mesh, options.strategy, options.smoothingTolerance) {
+            MeshImprovement.improve(raw.mesh, options.strategy, options.smoothingTolerance, options.crew()) {
                 if (!run.update(Stage.IMPROVE, it)) throw MeshingCancelledException()
             }
         }
@@ -97,7 +97,7 @@ public object MeshGenerator {
         val mesh = Numbering.renumber(made, options.numbering, finishing)
         val after = if (mesh === made) before else NumberingMetrics.of(mesh, finishing)
         finishing.reach(0.8)
-        val quality = QualityReport.of(mesh, finishing)
+        val quality = QualityReport.of(mesh, finishing, options.crew())
         run.end()
 
         val report = MeshReport(

@@ -53,6 +53,12 @@ internal class MeshingArguments {
     )
     var maxElements: Int? = null
 
+    @Option(
+        names = ["--threads"], paramLabel = "N",
+        description = ["Threads that share the work on a mesh of 150,000 elements or more, > 0; the mesh is the same. Default: 1."],
+    )
+    var threads: Int? = null
+
     @Option(names = ["--no-improve"], description = ["Leave the elements as the front made them."])
     var noImprove: Boolean = false
 
@@ -69,6 +75,7 @@ internal class MeshingArguments {
         if (sizeSources.isNotEmpty()) builder.sizeSources(sizeSources.fold(base.sizeSources, ::withSource))
         strategy?.let { builder.strategy(it) }
         maxElements?.let { builder.maxElements(it) }
+        threads?.let { builder.threads(it) }
         if (noImprove) builder.improve(false)
         if (noRenumber) builder.numbering(NumberingMethod.NONE)
         builder.build()
