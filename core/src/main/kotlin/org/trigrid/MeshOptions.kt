@@ -6,11 +6,12 @@ import org.trigrid.spacing.SizeFunction
 import org.trigrid.spacing.SizeRules
 import org.trigrid.spacing.SizeSources
 import org.trigrid.spacing.Sizes
+import java.io.Serializable
 
 /**
- * All that can be asked of the mesher. Immutable; made by [builder].
+ * All that can be asked of the mesher. Immutable; made by [builder]. Serializable if [sizeFunction] is, to travel to other machines.
  */
-public class MeshOptions private constructor(builder: Builder) {
+public class MeshOptions private constructor(builder: Builder) : Serializable {
     /** How element sizes vary away from the boundary. Default [Sizes.SMOOTH]. */
     @get:JvmName("sizes")
     public val sizes: Sizes = builder.sizes
@@ -154,5 +155,7 @@ public class MeshOptions private constructor(builder: Builder) {
         /** Starts from the default options. */
         @JvmStatic
         public fun builder(): Builder = Builder()
+
+        private const val serialVersionUID = 1L
     }
 }

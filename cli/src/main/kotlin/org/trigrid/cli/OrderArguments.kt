@@ -7,7 +7,7 @@ import picocli.CommandLine.Option
 import picocli.CommandLine.ParameterException
 
 /** The option that says how many nodes the elements of a written mesh have. */
-internal class OrderArguments {
+class OrderArguments {
     @Option(
         names = ["--order"], paramLabel = "N",
         description = ["2: elements of six nodes, the middles of boundary edges on the curves of a project. Default: 1, of three."],

@@ -1,5 +1,7 @@
 package org.trigrid.spacing
 
+import java.io.Serializable
+
 /**
  * Places that ask for small elements: points and polylines, anywhere. At a source elements have its size, and from there sizes
  * grow with the distance by the gradation of the mesh: `min over sources i of (h_i + g d_i)`. They are ceilings beside the
@@ -10,7 +12,8 @@ package org.trigrid.spacing
  *
  * Immutable: the `with` functions return changed copies.
  */
-public class SizeSources private constructor(private val places: List<DoubleArray>, private val sizes: List<Double>) {
+public class SizeSources private constructor(private val places: List<DoubleArray>, private val sizes: List<Double>) :
+    Serializable {
     /** Points and lines together. */
     @get:JvmName("count")
     public val count: Int get() = sizes.size
@@ -60,5 +63,7 @@ public class SizeSources private constructor(private val places: List<DoubleArra
         /** No source. */
         @JvmField
         public val NONE: SizeSources = SizeSources(emptyList(), emptyList())
+
+        private const val serialVersionUID = 1L
     }
 }
