@@ -2,6 +2,7 @@ package org.trigrid.spark
 
 import org.apache.spark.sql.Row
 import org.apache.spark.sql.RowFactory
+import org.apache.spark.sql.types.DataType
 import org.apache.spark.sql.types.DataTypes
 import org.apache.spark.sql.types.StructType
 import org.trigrid.diagnostics.Fault
@@ -46,13 +47,15 @@ internal object FailureRows {
 
 /** The faults of a domain as rows in a row. */
 internal object FaultRows {
+    /** Stands alone: [MeshColumns] is made with it, and either may be the first that a machine needs. */
     val TYPE: StructType = DataTypes.createStructType(
         listOf(
-            MeshColumns.field("kind", DataTypes.StringType), MeshColumns.field("message", DataTypes.StringType),
-            MeshColumns.field("x", DataTypes.DoubleType), MeshColumns.field("y", DataTypes.DoubleType),
-            MeshColumns.field("nodes", DataTypes.createArrayType(DataTypes.IntegerType, false)),
+            field("kind", DataTypes.StringType), field("message", DataTypes.StringType), field("x", DataTypes.DoubleType),
+            field("y", DataTypes.DoubleType), field("nodes", DataTypes.createArrayType(DataTypes.IntegerType, false)),
         ),
     )
+
+    private fun field(name: String, type: DataType) = DataTypes.createStructField(name, type, true)
 
     fun of(faults: List<Fault>): Array<Row> =
         Array(faults.size) { i -> faults[i].let { RowFactory.create(it.kind.name, it.message, it.x, it.y, it.nodes()) } }

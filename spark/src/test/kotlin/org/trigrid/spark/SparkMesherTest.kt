@@ -20,6 +20,7 @@ import org.trigrid.spacing.SizeSources
 import org.trigrid.spacing.Sizes
 import java.io.ByteArrayOutputStream
 import java.io.NotSerializableException
+import java.net.URLClassLoader
 import kotlin.io.path.readText
 
 class SparkMesherTest {
@@ -146,6 +147,18 @@ class SparkMesherTest {
         assertEquals(6 * row.int("elements"), row.getList<Int>(row.fieldIndex("elementNodes")).size)
         assertEquals(2 * row.int("nodes"), row.getList<Double>(row.fieldIndex("coordinates")).size)
         assertEquals(0, row.getList<Int>(row.fieldIndex("edgeNodes")).size % 3)
+    }
+
+    @Test
+    fun `whichever class a machine needs first can be the first`() {
+        val classes = arrayOf(MeshColumns::class.java.protectionDomain.codeSource.location)
+        for (name in listOf("FaultRows", "FailureRows", "MeshColumns", "ColumnsSink", "ElementBalance", "DomainMeshing")) {
+            // A loader of its own, where nothing is initialized yet.
+            object : URLClassLoader(classes, javaClass.classLoader) {
+                override fun loadClass(name: String, resolve: Boolean): Class<*> =
+                    if (name.startsWith("org.trigrid.spark.")) findLoadedClass(name) ?: findClass(name) else super.loadClass(name, resolve)
+            }.use { Class.forName("org.trigrid.spark.$name", true, it) }
+        }
     }
 
     @Test
