@@ -63,6 +63,9 @@ internal class EllipseArc(
         for (i in it.indices) it[i] = i.toDouble() / (it.size - 1)
     }
 
+    /** How much of the whole ellipse it is. */
+    val share: Double get() = Math.abs(to - from)
+
     private fun turns(u: Double) = from + u * (to - from)
 
     override fun x(u: Double): Double = centreX + ax * Turn.cos(turns(u)) + bx * Turn.sin(turns(u))
