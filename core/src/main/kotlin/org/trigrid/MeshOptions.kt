@@ -8,13 +8,14 @@ import org.trigrid.spacing.SizeFunction
 import org.trigrid.spacing.SizeRules
 import org.trigrid.spacing.SizeSources
 import org.trigrid.spacing.Sizes
+import java.io.Serializable
 import java.util.concurrent.Executor
 import java.util.concurrent.ForkJoinPool
 
 /**
- * All that can be asked of the mesher. Immutable; made by [builder].
+ * All that can be asked of the mesher. Immutable; made by [builder]. Serializable if [sizeFunction] is, to travel to other machines.
  */
-public class MeshOptions private constructor(builder: Builder) {
+public class MeshOptions private constructor(builder: Builder) : Serializable {
     /** How element sizes vary away from the boundary. Default [Sizes.SMOOTH]. */
     @get:JvmName("sizes")
     public val sizes: Sizes = builder.sizes
@@ -71,7 +72,11 @@ public class MeshOptions private constructor(builder: Builder) {
 
     /** Lends the other [threads]; Java's common pool by default. Work that it never begins is done by the caller. */
     @get:JvmName("executor")
-    public val executor: Executor = builder.executor
+    public val executor: Executor get() = lent ?: ForkJoinPool.commonPool()
+
+    /** Does not travel to other machines. */
+    @Transient
+    private val lent: Executor? = builder.executor
 
     internal fun crew(): Crew = if (threads == 1) Crew.CALLER else Crew(threads, executor)
 
@@ -93,7 +98,7 @@ public class MeshOptions private constructor(builder: Builder) {
         internal var numbering = NumberingMethod.BEST
         internal var maxElements = 20_000_000
         internal var threads = 1
-        internal var executor: Executor = ForkJoinPool.commonPool()
+        internal var executor: Executor? = null
 
         /** Sets [MeshOptions.sizes]. */
         public fun sizes(value: Sizes): Builder = apply { sizes = value }
@@ -173,7 +178,7 @@ public class MeshOptions private constructor(builder: Builder) {
         it.numbering = numbering
         it.maxElements = maxElements
         it.threads = threads
-        it.executor = executor
+        it.executor = lent
     }
 
     public companion object {
@@ -184,5 +189,7 @@ public class MeshOptions private constructor(builder: Builder) {
         /** Starts from the default options. */
         @JvmStatic
         public fun builder(): Builder = Builder()
+
+        private const val serialVersionUID = 1L
     }
 }

@@ -2,6 +2,7 @@ package org.trigrid.cli
 
 import org.trigrid.mesh.MeshCheck
 import org.trigrid.mesh.MeshViolation
+import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.mesh.TriMesh
 import org.trigrid.numbering.NumberingMetrics
 import org.trigrid.quality.QualityReport
@@ -22,17 +23,24 @@ internal class InfoCommand(private val session: Session) : Callable<Int> {
     lateinit var file: Path
 
     override fun call(): Int {
-        val mesh = MeshInput.read(file)
-        session.terminal.out.print(describe(mesh))
-        val violations = MeshCheck.check(mesh)
-        for (violation in violations) session.terminal.err.println(line(violation))
-        return if (violations.isEmpty()) ExitCodes.DONE else ExitCodes.INVALID_DOMAIN
+        val read = MeshInput.readEither(file)
+        session.terminal.out.print(describe(read.corners, read.quadratic))
+        val faults = MeshCheck.check(read.corners).map { line(it) } + read.quadratic?.let { folded(it) }.orEmpty()
+        for (fault in faults) session.terminal.err.println(fault)
+        return if (faults.isEmpty()) ExitCodes.DONE else ExitCodes.INVALID_DOMAIN
     }
 
-    private fun describe(mesh: TriMesh): String = buildString {
+    /** Elements of six nodes that are not the image of a triangle. */
+    private fun folded(mesh: QuadraticMesh): List<String> = (0 until mesh.elementCount).filter { !(mesh.leastJacobian(it) > 0) }.map {
+        val corner = mesh.nodeOf(it, 0)
+        "$file: FOLDED at (${mesh.x(corner)}, ${mesh.y(corner)}): the Jacobian of element $it falls to ${mesh.leastJacobian(it)}"
+    }
+
+    private fun describe(mesh: TriMesh, quadratic: QuadraticMesh?): String = buildString {
         val quality = QualityReport.of(mesh)
-        val numbering = NumberingMetrics.of(mesh)
-        line("nodes", mesh.nodeCount)
+        val numbering = if (quadratic == null) NumberingMetrics.of(mesh) else NumberingMetrics.of(quadratic)
+        if (quadratic == null) line("nodes", mesh.nodeCount)
+        else line("nodes", "${quadratic.nodeCount}, six an element, ${mesh.nodeCount} of them corners")
         line("elements", mesh.elementCount)
         line("boundary edges", mesh.boundaryEdgeCount)
         line("region", mesh.regionName)

@@ -5,6 +5,7 @@ import org.trigrid.cli.batch.BatchFiles
 import org.trigrid.cli.batch.BatchLog
 import org.trigrid.cli.batch.BatchPlan
 import org.trigrid.cli.batch.BatchRun
+import org.trigrid.cli.batch.MadeMeshes
 import org.trigrid.io.AtomicFile
 import org.trigrid.mesh.TriMesh
 import org.trigrid.picture.Pictures
@@ -69,7 +70,7 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
     @Option(names = ["--jobs"], paramLabel = "N", description = ["With --out-dir: meshes made at a time. Default: as many as processors."])
     var jobs: Int? = null
 
-    @Option(names = ["--resume"], description = ["With --out-dir: leave meshes that are newer than their input, and add to the report."])
+    @Option(names = ["--resume"], description = ["With --out-dir and --report: leave meshes that the report has, of the same input and options, and add to it."])
     var resume: Boolean = false
 
     @Mixin
@@ -131,12 +132,15 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
         if (picture != null) usage("--picture is for one file; 'trigrid picture' draws the meshes afterwards")
         val threads = jobs ?: Runtime.getRuntime().availableProcessors()
         if (threads !in 1..MOST_JOBS) usage("--jobs must be from 1 to $MOST_JOBS, not $threads")
+        val remembered = report?.takeIf { it != STANDARD_OUTPUT }?.let { Path.of(it) }
+        if (resume && remembered == null) usage("--resume needs --report FILE, which remembers of what each mesh was made")
         val meshFormat = MeshOutput.format(format, null, spec.commandLine())
         ordering.check(meshFormat, spec.commandLine())
         val files = BatchFiles(folder, meshFormat.endings[0], spec.commandLine()).of(inputs)
         Files.createDirectories(folder)
-        report?.let { if (it != STANDARD_OUTPUT) OutputPlace.check(Path.of(it)) }
-        val plan = BatchPlan(inputOptions, meshFormat, ordering.order, threads, resume) { meshing.over(it, spec.commandLine()) }
+        remembered?.let { OutputPlace.check(it) }
+        val made = if (resume && remembered != null) MadeMeshes.of(remembered) else MadeMeshes.NONE
+        val plan = BatchPlan(inputOptions, meshFormat, ordering.order, threads, made) { meshing.over(it, spec.commandLine()) }
         BatchLog.open(report, session.terminal.out, resume).use { log ->
             val batch = BatchRun(session, plan, files, log)
             val code = batch.run()

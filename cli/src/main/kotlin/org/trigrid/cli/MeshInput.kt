@@ -1,6 +1,8 @@
 package org.trigrid.cli
 
+import org.trigrid.diagnostics.FileFormatException
 import org.trigrid.io.MeshFormats
+import org.trigrid.io.ReadMesh
 import org.trigrid.mesh.TriMesh
 import java.nio.file.Path
 
@@ -8,5 +10,14 @@ import java.nio.file.Path
 internal object MeshInput {
     fun isMesh(file: Path): Boolean = MeshFormats.forReading(file) != null
 
-    fun read(file: Path): TriMesh = InputFailure.naming(file) { MeshFormats.read(file) }
+    /** Of elements of three nodes. */
+    fun read(file: Path): TriMesh {
+        val mesh = readEither(file)
+        if (mesh.order == 1) return mesh.corners
+        val advice = "'trigrid convert --order 1' leaves their corners"
+        throw InputFailure(file.toString(), FileFormatException(file.toString(), 0, 0, "the elements have six nodes, not three; $advice"))
+    }
+
+    /** Also of elements of six nodes. */
+    fun readEither(file: Path): ReadMesh = InputFailure.naming(file) { MeshFormats.readEither(file) }
 }

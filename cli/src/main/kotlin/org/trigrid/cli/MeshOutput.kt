@@ -1,6 +1,5 @@
 package org.trigrid.cli
 
-import org.trigrid.io.DomainFormats
 import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
 import picocli.CommandLine
@@ -8,7 +7,7 @@ import picocli.CommandLine.ParameterException
 import java.nio.file.Path
 
 /** In which format a mesh goes to a file. */
-internal object MeshOutput {
+object MeshOutput {
     /**
      * That of [name], else of the file's ending, MSH 2.2 for a file without one; anything else is a usage error.
      */
@@ -29,7 +28,4 @@ internal object MeshOutput {
     fun names(): String = MeshFormats.all().filter { it.canWrite }.joinToString { it.name }
 
     fun endings(): String = MeshFormats.all().filter { it.canWrite }.flatMap { it.endings.take(2) }.distinct().joinToString(" ")
-
-    /** Endings of files with domains, and of projects. */
-    fun domainEndings(): List<String> = listOf(".trigrid.json") + DomainFormats.all().flatMap { it.endings }.distinct()
 }

@@ -3,6 +3,7 @@ package org.trigrid.cli
 import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
 import org.trigrid.mesh.MeshCheck
+import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.mesh.TriMesh
 import picocli.CommandLine
 import picocli.CommandLine.Option
@@ -30,6 +31,9 @@ internal class MeshOutputArguments {
     }
 
     fun write(mesh: TriMesh, commandLine: CommandLine): Unit =
+        MeshFormats.write(mesh, output, MeshOutput.format(format, output, commandLine))
+
+    fun write(mesh: QuadraticMesh, commandLine: CommandLine): Unit =
         MeshFormats.write(mesh, output, MeshOutput.format(format, output, commandLine))
 }
 

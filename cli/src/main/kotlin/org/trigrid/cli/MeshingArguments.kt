@@ -8,9 +8,10 @@ import org.trigrid.spacing.Sizes
 import picocli.CommandLine
 import picocli.CommandLine.Option
 import picocli.CommandLine.ParameterException
+import java.io.Serializable
 
-/** The options that say how to mesh; what is not given stays as the project file says, or at its default. */
-internal class MeshingArguments {
+/** The options that say how to mesh, here or on another machine; what is not given stays as the project file says, or at its default. */
+class MeshingArguments : Serializable {
     @Option(
         names = ["--sizes"], paramLabel = "MODE",
         description = [
@@ -67,6 +68,13 @@ internal class MeshingArguments {
 
     /** [base] with the options given laid over it; a value out of range is a usage error. */
     fun over(base: MeshOptions, commandLine: CommandLine): MeshOptions = try {
+        over(base)
+    } catch (error: IllegalArgumentException) {
+        throw ParameterException(commandLine, error.message)
+    }
+
+    /** As the other. @throws IllegalArgumentException if a value is out of range. */
+    fun over(base: MeshOptions): MeshOptions {
         val builder = base.toBuilder()
         sizes?.let { builder.sizes(it) }
         gradation?.let { builder.gradation(it) }
@@ -78,9 +86,7 @@ internal class MeshingArguments {
         threads?.let { builder.threads(it) }
         if (noImprove) builder.improve(false)
         if (noRenumber) builder.numbering(NumberingMethod.NONE)
-        builder.build()
-    } catch (error: IllegalArgumentException) {
-        throw ParameterException(commandLine, error.message)
+        return builder.build()
     }
 
     private fun withSource(sources: SizeSources, text: String): SizeSources {
@@ -89,5 +95,9 @@ internal class MeshingArguments {
         require(size != null && null !in place && place.size % 2 == 0) { "--size-source must be of the form H@X,Y or H@X,Y,X,Y,..., not $text" }
         val xy = place.filterNotNull().toDoubleArray()
         return if (xy.size == 2) sources.withPoint(size, xy[0], xy[1]) else sources.withLine(size, *xy)
+    }
+
+    private companion object {
+        private const val serialVersionUID = 1L
     }
 }

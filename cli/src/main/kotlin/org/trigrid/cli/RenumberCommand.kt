@@ -2,6 +2,7 @@ package org.trigrid.cli
 
 import org.trigrid.numbering.Numbering
 import org.trigrid.numbering.NumberingMethod
+import org.trigrid.numbering.NumberingMetrics
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Model.CommandSpec
@@ -37,17 +38,27 @@ internal class RenumberCommand(private val session: Session) : Callable<Int> {
         val method = METHODS[numbering]
             ?: throw ParameterException(spec.commandLine(), "--numbering must be best or cuthill-mckee, not $numbering")
         target.check(spec.commandLine())
+        val quadratic = MeshInput.readEither(input).quadratic ?: return renumber(method)
+        if (target.check(spec.commandLine()).highestOrder < 2) {
+            throw ParameterException(spec.commandLine(), "the elements of $input have six nodes; choose a format that has them with --format")
+        }
+        val renumbered = Numbering.renumber(quadratic, method)
+        target.write(renumbered, spec.commandLine())
+        tell(quadratic.nodeCount, Numbering.metrics(quadratic), Numbering.metrics(renumbered))
+        return ExitCodes.DONE
+    }
+
+    private fun renumber(method: NumberingMethod): Int {
         val mesh = ValidMesh(session).read(input) ?: return ExitCodes.INVALID_DOMAIN
         val renumbered = Numbering.renumber(mesh, method)
         target.write(renumbered, spec.commandLine())
-        val before = Numbering.metrics(mesh)
-        val after = Numbering.metrics(renumbered)
-        session.terminal.out.println(
-            "${target.output}: ${mesh.nodeCount} nodes, bandwidth ${before.bandwidth} -> ${after.bandwidth}, " +
-                "profile ${before.profile} -> ${after.profile}",
-        )
+        tell(mesh.nodeCount, Numbering.metrics(mesh), Numbering.metrics(renumbered))
         return ExitCodes.DONE
     }
+
+    private fun tell(nodes: Int, before: NumberingMetrics, after: NumberingMetrics) = session.terminal.out.println(
+        "${target.output}: $nodes nodes, bandwidth ${before.bandwidth} -> ${after.bandwidth}, profile ${before.profile} -> ${after.profile}",
+    )
 
     private companion object {
         val METHODS = mapOf("best" to NumberingMethod.BEST, "cuthill-mckee" to NumberingMethod.CUTHILL_MCKEE)

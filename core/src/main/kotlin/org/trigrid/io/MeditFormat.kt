@@ -1,6 +1,5 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.TriMesh
 import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -32,7 +31,7 @@ internal class MeditFormat : MeshFormat("medit", "Medit .mesh, ASCII", listOf(".
         text.flush()
     }
 
-    override fun read(file: Path): TriMesh {
+    override fun readEither(file: Path): ReadMesh {
         ReadingMemory.check(file, ReadingMemory.MSH)
         return MeditReader.read(Files.readAllBytes(file), file.toString())
     }
@@ -44,16 +43,16 @@ internal class MeditReader private constructor(private val scanner: MshScanner) 
     private var dimension = 0
     private var vertexCount = -1
 
-    private fun read(): TriMesh {
+    private fun read(): ReadMesh {
         scanner.expect("MeshVersionFormatted")
         scanner.int("the version", 1)
         while (!scanner.atEnd()) {
             when (val keyword = scanner.word("a keyword")) {
                 "Dimension" -> dimension = scanner.int("the dimension", 2)
                 "Vertices" -> readVertices()
-                "Edges" -> readEdges()
-                "Triangles" -> readTriangles()
-                "Quadrilaterals", "Tetrahedra", "Hexahedra", "Prisms", "Pyramids", "TrianglesP2" -> {
+                "Edges", "EdgesP2" -> readEdges(keyword == "EdgesP2")
+                "Triangles", "TrianglesP2" -> readTriangles(keyword == "TrianglesP2")
+                "Quadrilaterals", "Tetrahedra", "Hexahedra", "Prisms", "Pyramids" -> {
                     if (scanner.int("the number of elements", 0) > 0) scanner.fail("$keyword cannot be read, only Edges and Triangles")
                 }
                 "End" -> break
@@ -81,20 +80,20 @@ internal class MeditReader private constructor(private val scanner: MshScanner) 
         contents.closeNodes()
     }
 
-    private fun readEdges() {
+    private fun readEdges(haveMiddles: Boolean) {
         repeat(scanner.count("the number of edges")) {
             val a = vertex()
             val b = vertex()
+            if (haveMiddles) vertex()
             contents.addLine(a, b, reference())
         }
     }
 
-    private fun readTriangles() {
+    private fun readTriangles(haveMiddles: Boolean) {
         repeat(scanner.count("the number of triangles")) {
-            val a = vertex()
-            val b = vertex()
-            val c = vertex()
-            contents.addTriangle(a, b, c, reference())
+            val nodes = IntArray(if (haveMiddles) 6 else 3) { vertex() }
+            contents.addTriangle(nodes[0], nodes[1], nodes[2], reference())
+            if (haveMiddles) contents.addMiddles(nodes[3], nodes[4], nodes[5])
         }
     }
 
@@ -107,6 +106,6 @@ internal class MeditReader private constructor(private val scanner: MshScanner) 
          * @param source name of the file, for messages.
          * @throws org.trigrid.diagnostics.FileFormatException with line and column.
          */
-        fun read(bytes: ByteArray, source: String): TriMesh = MeditReader(MshScanner(bytes, source, '#')).read()
+        fun read(bytes: ByteArray, source: String): ReadMesh = MeditReader(MshScanner(bytes, source, '#')).read()
     }
 }

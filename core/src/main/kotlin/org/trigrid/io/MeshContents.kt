@@ -1,7 +1,6 @@
 package org.trigrid.io
 
 import org.trigrid.geometry.IntList
-import org.trigrid.mesh.TriMesh
 import org.trigrid.mesh.TriMeshFactory
 
 /** Tells that a file is not what its format asks for, with the place where its reader is. */
@@ -11,7 +10,7 @@ internal fun interface Complaint {
 }
 
 /**
- * What was read of a mesh file, whatever its format, until it is made a [TriMesh].
+ * What was read of a mesh file, whatever its format, until it is made a mesh.
  *
  * @param curveWord names groups of edges without a name of their own, with their number; [regionWord] those of triangles.
  */
@@ -28,6 +27,9 @@ internal class MeshContents(
     private val lines = IntList()
     private val lineGroups = IntList()
     private val triangles = IntList()
+
+    /** Between the corners of each triangle; empty where triangles have three nodes. */
+    private val middles = IntList()
     private var surfaceGroup = 0
 
     /** Nodes in the order of the file, by their id. */
@@ -84,8 +86,17 @@ internal class MeshContents(
         if (surfaceGroup == 0) surfaceGroup = group
     }
 
-    fun toMesh(): TriMesh {
+    /** Gives the triangle added last the nodes between its corners, from the one between the first two on. */
+    fun addMiddles(first: Int, second: Int, third: Int) {
+        middles.add(first)
+        middles.add(second)
+        middles.add(third)
+    }
+
+    fun toMesh(): ReadMesh {
         if (triangles.size == 0) complaint.fail("the file has no triangles")
+        if (middles.size > 0 && middles.size != triangles.size) complaint.fail("the file has triangles of three nodes and of six")
+        val quadratic = if (middles.size == 0) null else QuadraticContents(xy.copyOf(), triangles, middles, complaint)
         val newNumbers = IntArray(nodeCount) { -1 }
         for (i in 0 until triangles.size) newNumbers[triangles[i]] = 0
         var used = 0
@@ -104,7 +115,8 @@ internal class MeshContents(
         val elements = IntArray(triangles.size) { newNumbers[triangles[it]] }
         val regionName = if (surfaceGroup == 0) "domain" else nameOf(2, surfaceGroup)
         try {
-            return TriMeshFactory.of(xy.copyOf(2 * used), elements, lineNodes, lineTags, tags, regionName)
+            val corners = TriMeshFactory.of(xy.copyOf(2 * used), elements, lineNodes, lineTags, tags, regionName)
+            return ReadMesh(corners, quadratic?.toMesh(corners, newNumbers))
         } catch (e: IllegalArgumentException) {
             complaint.fail(e.message ?: "the elements make no mesh")
         }
@@ -121,6 +133,8 @@ internal class MeshContents(
         /** Gmsh's numbers of the kinds of elements. */
         const val LINE = 1
         const val TRIANGLE = 2
+        const val QUADRATIC_LINE = 8
+        const val QUADRATIC_TRIANGLE = 9
         const val POINT = 15
     }
 }

@@ -40,7 +40,7 @@ public abstract class MeshFormat internal constructor(
 
     /** @throws org.trigrid.diagnostics.FileFormatException with the place of what is wrong. */
     @Throws(IOException::class)
-    internal open fun read(file: Path): TriMesh = throw IllegalArgumentException("$name cannot be read")
+    internal open fun readEither(file: Path): ReadMesh = throw IllegalArgumentException("$name cannot be read")
 
     public companion object {
         /** Gmsh MSH 2.2, ASCII; read by nearly every solver. */

@@ -93,9 +93,21 @@ public object MeshFormats {
      * `.node`. The ending tells which, MSH if it says nothing. Nodes keep the order of the file; nodes of no triangle are
      * left out, clockwise triangles are turned. Lines give their groups to the edges.
      *
-     * @throws FileFormatException if the file is no such mesh; it says where.
+     * @throws FileFormatException if the file is no such mesh; it says where. Also if its triangles have six nodes.
      */
     @JvmStatic
     @Throws(IOException::class)
-    public fun read(path: Path): TriMesh = (forReading(path) ?: MeshFormat.MSH_22).read(path)
+    public fun read(path: Path): TriMesh {
+        val mesh = readEither(path)
+        if (mesh.order != 1) throw FileFormatException(path.toString(), 0, 0, "the elements have six nodes, not three")
+        return mesh.corners
+    }
+
+    /**
+     * As [read], also of triangles of six nodes, except from Triangle's files. They are taken as they are: edges inside may be
+     * curved too, and [QuadraticMesh.leastJacobian] tells whether an element is folded.
+     */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun readEither(path: Path): ReadMesh = (forReading(path) ?: MeshFormat.MSH_22).readEither(path)
 }

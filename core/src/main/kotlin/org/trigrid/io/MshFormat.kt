@@ -22,7 +22,7 @@ internal class MshFormat(name: String, title: String, private val writer: MshWri
     MeshFormat(name, title, listOf(".msh"), canRead = true, highestOrder = 2) {
     override fun write(mesh: FileMesh, out: OutputStream) = writer.write(mesh, out)
 
-    override fun read(file: Path): TriMesh {
+    override fun readEither(file: Path): ReadMesh {
         ReadingMemory.check(file, ReadingMemory.MSH)
         return MshReader.read(Files.readAllBytes(file), file.toString())
     }

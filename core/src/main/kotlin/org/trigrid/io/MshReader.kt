@@ -1,7 +1,5 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.TriMesh
-
 /** Gmsh's mesh files, versions 2.0 to 2.2 and 4.1, ASCII and binary. */
 internal class MshReader private constructor(private val scanner: MshScanner) {
     private val contents = MeshContents(scanner)
@@ -11,7 +9,7 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
     /** Physical group of entities by dimension and tag; MSH 4.1 only. */
     private val entityGroups = HashMap<Long, Int>()
 
-    private fun read(): TriMesh {
+    private fun read(): ReadMesh {
         if (scanner.atEnd()) scanner.fail("the file is empty")
         scanner.expect("\$MeshFormat")
         readFormat()
@@ -141,8 +139,21 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
                 val b = readNode()
                 contents.addTriangle(a, b, readNode(), group)
             }
+            MeshContents.QUADRATIC_LINE -> {
+                val a = readNode()
+                contents.addLine(a, readNode(), group)
+                readNode()
+            }
+            MeshContents.QUADRATIC_TRIANGLE -> {
+                val a = readNode()
+                val b = readNode()
+                contents.addTriangle(a, b, readNode(), group)
+                val middle = readNode()
+                val next = readNode()
+                contents.addMiddles(middle, next, readNode())
+            }
             MeshContents.POINT -> readNode()
-            else -> scanner.fail("elements of type $type cannot be read, only points (15), lines (1) and triangles (2)")
+            else -> scanner.fail("elements of type $type cannot be read, only points (15), lines (1, 8) and triangles (2, 9)")
         }
     }
 
@@ -209,6 +220,6 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
          * @param source name of the file, for messages.
          * @throws org.trigrid.diagnostics.FileFormatException with line and column; in binary parts with the byte.
          */
-        fun read(bytes: ByteArray, source: String): TriMesh = MshReader(MshScanner(bytes, source)).read()
+        fun read(bytes: ByteArray, source: String): ReadMesh = MshReader(MshScanner(bytes, source)).read()
     }
 }

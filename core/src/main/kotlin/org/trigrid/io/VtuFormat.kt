@@ -91,7 +91,7 @@ internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf
         for (curve in 0 until groups.curveCount) repeat(groups.size(curve)) { out.int(curve + 1) }
     }
 
-    override fun read(file: Path): TriMesh {
+    override fun readEither(file: Path): ReadMesh {
         ReadingMemory.check(file, ReadingMemory.VTU)
         return VtuReader.read(Files.readAllBytes(file), file.toString())
     }

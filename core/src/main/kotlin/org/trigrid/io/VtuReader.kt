@@ -1,7 +1,6 @@
 package org.trigrid.io
 
 import org.trigrid.diagnostics.FileFormatException
-import org.trigrid.mesh.TriMesh
 import java.io.ByteArrayInputStream
 import java.io.InputStreamReader
 import java.io.SequenceInputStream
@@ -17,7 +16,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
     private val arrays = HashMap<String, VtuArray>()
     private var pieces = 0
 
-    private fun read(): TriMesh {
+    private fun read(): ReadMesh {
         var section = ""
         loop@ while (true) {
             when (xml.next()) {
@@ -91,7 +90,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
         coding.appendedStart = from + 1
     }
 
-    private fun toMesh(): TriMesh {
+    private fun toMesh(): ReadMesh {
         val points = numbers("Points")
         val connectivity = numbers("Cells/connectivity")
         val offsets = numbers("Cells/offsets")
@@ -117,12 +116,15 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
             val expected = when (types[cell].toInt()) {
                 VtuFormat.VTK_VERTEX -> 1
                 VtuFormat.VTK_LINE -> 2
-                VtuFormat.VTK_TRIANGLE -> 3
-                else -> place.fail("cells of type ${types[cell].toInt()} cannot be read, only lines (3) and triangles (5)")
+                VtuFormat.VTK_TRIANGLE, VtuFormat.VTK_QUADRATIC_EDGE -> 3
+                VtuFormat.VTK_QUADRATIC_TRIANGLE -> 6
+                else -> place.fail("cells of type ${types[cell].toInt()} cannot be read, only lines (3, 21) and triangles (5, 22)")
             }
             if (nodes.size != expected) place.fail("cell $cell has ${nodes.size} nodes, not $expected")
-            if (expected == 2) contents.addLine(nodes[0], nodes[1], group(tags, cell))
-            if (expected == 3) contents.addTriangle(nodes[0], nodes[1], nodes[2], group(regions, cell))
+            val isLine = expected == 2 || types[cell].toInt() == VtuFormat.VTK_QUADRATIC_EDGE
+            if (isLine) contents.addLine(nodes[0], nodes[1], group(tags, cell))
+            else if (expected >= 3) contents.addTriangle(nodes[0], nodes[1], nodes[2], group(regions, cell))
+            if (expected == 6) contents.addMiddles(nodes[3], nodes[4], nodes[5])
             from = to.toInt()
         }
         return contents.toMesh()
@@ -156,7 +158,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
          * @param source name of the file, for messages.
          * @throws FileFormatException with line and column; for appended data those of its array.
          */
-        fun read(bytes: ByteArray, source: String): TriMesh = VtuReader(bytes, source).read()
+        fun read(bytes: ByteArray, source: String): ReadMesh = VtuReader(bytes, source).read()
 
         private fun indexOf(bytes: ByteArray, wanted: ByteArray): Int {
             for (at in 0..bytes.size - wanted.size) {

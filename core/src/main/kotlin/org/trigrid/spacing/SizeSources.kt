@@ -1,6 +1,7 @@
 package org.trigrid.spacing
 
 import org.trigrid.geometry.Pose
+import java.io.Serializable
 
 /**
  * Places that ask for small elements: points and polylines, anywhere. At a source elements have its size, and from there sizes
@@ -12,7 +13,8 @@ import org.trigrid.geometry.Pose
  *
  * Immutable: the `with` functions return changed copies.
  */
-public class SizeSources private constructor(private val places: List<DoubleArray>, private val sizes: List<Double>) {
+public class SizeSources private constructor(private val places: List<DoubleArray>, private val sizes: List<Double>) :
+    Serializable {
     /** Points and lines together. */
     @get:JvmName("count")
     public val count: Int get() = sizes.size
@@ -71,5 +73,7 @@ public class SizeSources private constructor(private val places: List<DoubleArra
         /** No source. */
         @JvmField
         public val NONE: SizeSources = SizeSources(emptyList(), emptyList())
+
+        private const val serialVersionUID = 1L
     }
 }

@@ -73,7 +73,7 @@ class MeshRoundTripTest {
         val out = ByteArrayOutputStream()
         MeshFormats.write(mesh, out, MeshFormat.MSH_22_BINARY)
         val big = BigEndian.msh22(out.toByteArray())
-        assertArrayEquals(mesh.xy, MshReader.read(big, "big").xy)
+        assertArrayEquals(mesh.xy, MshReader.read(big, "big").corners.xy)
     }
 
     @Test
@@ -84,14 +84,14 @@ class MeshRoundTripTest {
 0 0 0 1 0 0  1 1 0  0 1e0 0</DataArray></Points><Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 0 2 3 0 1</DataArray>
 <DataArray type="Int64" Name="offsets" format="ascii">3 6 8</DataArray>
 <DataArray type="UInt8" Name="types" format="ascii">5 5 3</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>"""
-        assertEquals(2, VtuReader.read(ascii.toByteArray(), "a.vtu").elementCount)
+        assertEquals(2, VtuReader.read(ascii.toByteArray(), "a.vtu").corners.elementCount)
         // Written by meshio 5.3.5: base64, compressed by zlib.
         val zlib = Files.readAllBytes(Path.of("..", "src-test-data", "meshes", "two-zlib.vtu"))
-        val mesh = VtuReader.read(zlib, "b.vtu")
+        val mesh = VtuReader.read(zlib, "b.vtu").corners
         assertArrayEquals(intArrayOf(0, 1, 2, 0, 2, 3), mesh.elements)
         assertArrayEquals(doubleArrayOf(0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.1), mesh.xy)
         val plain = Files.readAllBytes(Path.of("..", "src-test-data", "meshes", "two-base64.vtu"))
-        assertArrayEquals(mesh.xy, VtuReader.read(plain, "c.vtu").xy)
+        assertArrayEquals(mesh.xy, VtuReader.read(plain, "c.vtu").corners.xy)
     }
 
     @Test

@@ -2,6 +2,7 @@ package org.trigrid.cli.batch
 
 import java.io.Closeable
 import java.io.PrintStream
+import java.io.RandomAccessFile
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption
@@ -25,9 +26,20 @@ internal class BatchLog private constructor(private val out: PrintStream?, priva
             null -> BatchLog(null, false)
             "-" -> BatchLog(standard, false)
             else -> {
+                val continues = appends && !endsWithLine(Path.of(target))
                 val mode = if (appends) StandardOpenOption.APPEND else StandardOpenOption.TRUNCATE_EXISTING
                 val file = Files.newOutputStream(Path.of(target), StandardOpenOption.CREATE, StandardOpenOption.WRITE, mode)
-                BatchLog(PrintStream(file.buffered(), false, Charsets.UTF_8), true)
+                BatchLog(PrintStream(file.buffered(), false, Charsets.UTF_8), true).also { if (continues) it.write("") }
+            }
+        }
+
+        /** A run that was killed may have left a part of one. */
+        private fun endsWithLine(file: Path): Boolean {
+            if (!Files.isRegularFile(file)) return true
+            RandomAccessFile(file.toFile(), "r").use {
+                if (it.length() == 0L) return true
+                it.seek(it.length() - 1)
+                return it.read() == '\n'.code
             }
         }
     }
