@@ -24,7 +24,7 @@ import org.trigrid.spacing.SizeFields
  * Makes meshes: checks the domain, finds the sizes, advances the front, improves the mesh and renumbers its nodes.
  *
  * Guarantee: every valid domain gets a valid mesh, in which each given node and segment stands exactly as given and no
- * other node lies on the boundary. The same input gives the same mesh, to the last bit, on every machine.
+ * other node lies on the boundary, on an embedded line or on the interface of two regions. The same input gives the same mesh, to the last bit, on every machine.
  * Exception: a domain whose sizes ask for more elements than [MeshOptions.maxElements], or than Java's heap can hold, is
  * refused before meshing.
  *
@@ -65,9 +65,9 @@ public object MeshGenerator {
 
         run.begin(Stage.SIZES)
         val sizing = Checkpoint(run, Stage.SIZES)
-        val triangulation = ConstrainedDelaunay.of(domain, sizing)
+        val triangulation = ConstrainedDelaunay.of(domain.withoutLonePoints(), sizing)
         sizing.reach(0.4)
-        val sizes = SizeFields.create(domain, options.sizeRules(), triangulation, sizing)
+        val sizes = SizeFields.createWithPoints(domain, options.sizeRules(), triangulation, sizing)
         sizing.reach(0.7)
         val expected = SizeFields.estimateElements(triangulation, sizes, sizing)
         val refusal = WorkLimit(expected, domain.nodeCount).refusal(options.maxElements, Runtime.getRuntime().maxMemory())

@@ -141,7 +141,7 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
                 val b = readNode()
                 contents.addTriangle(a, b, readNode(), group)
             }
-            MeshContents.POINT -> readNode()
+            MeshContents.POINT -> contents.addPoint(readNode(), group)
             else -> scanner.fail("elements of type $type cannot be read, only points (15), lines (1) and triangles (2)")
         }
     }

@@ -100,6 +100,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
         if (points.size % 3 != 0) arrays.getValue("Points").complaint.fail("points must have three coordinates each")
         if (offsets.size != types.size) place.fail("${types.size} types for ${offsets.size} cells")
         val contents = MeshContents(place, "tag_", "region_")
+        readNames(contents, "FieldData/tag_names", 0)
         readNames(contents, "FieldData/tag_names", 1)
         readNames(contents, "FieldData/region_names", 2)
         contents.expectNodes(points.size / 3)
@@ -121,6 +122,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
                 else -> place.fail("cells of type ${types[cell].toInt()} cannot be read, only lines (3) and triangles (5)")
             }
             if (nodes.size != expected) place.fail("cell $cell has ${nodes.size} nodes, not $expected")
+            if (expected == 1) contents.addPoint(nodes[0], group(tags, cell))
             if (expected == 2) contents.addLine(nodes[0], nodes[1], group(tags, cell))
             if (expected == 3) contents.addTriangle(nodes[0], nodes[1], nodes[2], group(regions, cell))
             from = to.toInt()

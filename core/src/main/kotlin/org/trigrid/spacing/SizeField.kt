@@ -16,6 +16,6 @@ internal interface SizeField {
     /** Where the last evaluation ended; a good hint for places near it. */
     val lastHint: Int
 
-    /** Hint for a place at boundary node [node] of the domain. */
+    /** Hint for a place at node [node] of the domain; -1 for a node that the field does not know, such as an embedded point. */
     fun hintOf(node: Int): Int
 }
