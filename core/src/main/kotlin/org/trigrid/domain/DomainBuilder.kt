@@ -125,10 +125,38 @@ public class DomainBuilder internal constructor() {
      *
      * @throws IllegalArgumentException if [xy] has an odd number of values or none, or another region has the same name.
      */
-    public fun region(xy: DoubleArray, region: Region, tag: String): DomainBuilder = apply {
+    public fun region(xy: DoubleArray, region: Region, tag: String): DomainBuilder = region(xy, region, sameTags(xy, tag))
+
+    /** As the other with a tag for each segment, that of segment i from point i to the next. */
+    public fun region(xy: DoubleArray, region: Region, segmentTags: List<String>): DomainBuilder = apply {
         requireNew(region)
-        outer(xy, tag)
+        outer(xy, segmentTags)
         outlines.add(RegionOutline(xy.copyOf(), region))
+    }
+
+    /**
+     * Adds the loops, lines and points of another domain, its parts as regions; sides that it shares with what was added before
+     * are taken once.
+     *
+     * @throws IllegalArgumentException if another region has the name of one of its regions.
+     */
+    public fun add(domain: Domain): DomainBuilder = apply {
+        for (loop in 0 until domain.loopCount) {
+            val segments = domain.loopStart(loop) until domain.loopStart(loop + 1)
+            val nodes = domain.loopNodes(loop)
+            val xy = DoubleArray(2 * nodes.size) { domain.xy[2 * nodes[it / 2] + it % 2] }
+            val names = segments.map { domain.tags[domain.segmentTag(it)] }
+            if (domain.isHole(loop)) hole(xy, names) else region(xy, domain.regions[domain.regionOnLeft(segments.first)], names)
+        }
+        for (s in domain.boundaryCount until domain.segmentCount) {
+            val a = domain.segmentStart(s)
+            val b = domain.segmentEnd(s)
+            embed(doubleArrayOf(domain.x(a), domain.y(a), domain.x(b), domain.y(b)), domain.tags[domain.segmentTag(s)])
+        }
+        for (p in 0 until domain.pointCount) {
+            embedPoint(domain.x(domain.pointNode(p)), domain.y(domain.pointNode(p)), domain.tags[domain.pointTag(p)])
+        }
+        if (domain.regions.size > 1) for (marker in RegionPoints.of(domain)) region(marker.x, marker.y, marker.region)
     }
 
     /**
@@ -155,7 +183,7 @@ public class DomainBuilder internal constructor() {
         requireNew(base)
         val points = DomainPoints(pointNodes.toArray(), pointTags.toArray())
         val domain = assembly.toDomain(tags.keys.toList(), points, { it }) { DomainRegions.single(base) }
-        return DomainAssembly(domain.withRegions(base, markers, outlines), roles, reversed, nesting.parents())
+        return DomainAssembly(domain.withRegions(markers, outlines), roles, reversed, nesting.parents())
     }
 
     /** Parents are larger than what they contain, so that their roles are known first. */

@@ -22,7 +22,19 @@ internal class DomainRegions(
     fun ofParts(origin: IntArray): DomainRegions =
         if (sides.isEmpty()) this else DomainRegions(list, IntArray(2 * origin.size) { sides[2 * origin[it / 2] + it % 2] }, faults, isPlanar)
 
+    /**
+     * With [added] embedded segments more after [count], of whose sides nobody knows yet: the assembly of regions takes them from
+     * the faces.
+     */
+    fun withLines(count: Int, added: Int): DomainRegions = when {
+        sides.isEmpty() -> this
+        else -> DomainRegions(list, sides.copyOf(2 * count) + IntArray(2 * added) { UNKNOWN }, faults, isPlanar)
+    }
+
     companion object {
+        /** The region of a side before the assembly. */
+        const val UNKNOWN = -1
+
         fun single(region: Region): DomainRegions = DomainRegions(java.util.List.of(region), IntArray(0), emptyList())
     }
 }

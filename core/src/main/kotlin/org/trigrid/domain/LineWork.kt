@@ -89,6 +89,13 @@ internal class LineWorkFaces(private val xy: DoubleArray, private val segments: 
     fun boundariesOf(face: Int): List<IntArray> =
         listOf(cycles[face]) + cycles.indices.filter { it != face && signs[it] < 0 && faceOfCycle[it] == face }.map { cycles[it] }
 
+    /** Per face the sides that have it on their left; those of the outside come last, at [faceBound]. */
+    fun sides(): Array<IntArray> {
+        val lists = Array(faceBound + 1) { IntList() }
+        for (side in 0 until sideCount) lists[if (faceOf(side) >= 0) faceOf(side) else faceBound].add(side)
+        return Array(lists.size) { lists[it].toArray() }
+    }
+
     /** The face on the left of a side, or [OUTSIDE]. */
     fun faceOf(side: Int): Int = faceOfCycle[cycleOf[side]]
 

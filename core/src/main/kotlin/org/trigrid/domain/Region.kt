@@ -11,6 +11,9 @@ public class Region private constructor(
     /** Largest size asked of an edge inside the region, in the domain's unit; infinity for none. */
     @get:JvmName("maxSize") public val maxSize: Double,
 ) {
+    /** With another name. */
+    public fun withName(value: String): Region = Region(value, material, maxSize)
+
     /** @throws IllegalArgumentException if [value] is below 0. */
     public fun withMaterial(value: Int): Region {
         require(value >= 0) { "the material number of region \"$name\" must not be below 0, and is $value" }

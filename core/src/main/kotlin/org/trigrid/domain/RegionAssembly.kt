@@ -2,27 +2,28 @@ package org.trigrid.domain
 
 import org.trigrid.diagnostics.Fault
 import org.trigrid.diagnostics.FaultKind
+import org.trigrid.geometry.IntList
+
+/** The same domain with [region] for its only one. */
+internal fun Domain.withBase(region: Region): Domain =
+    Domain(xy, segments, segmentTags, embedded, tags, DomainRegions.single(region), points)
 
 /**
  * The same line work with each of its faces told to which region it belongs: that of the marker in it, else that of the
- * smallest outline round it, else [base]. A hole with a marker in it is filled, and boundary segments with the domain on both
- * sides become embedded ones, so that the loops of two parts that lie side by side part the one from the other.
+ * smallest outline round it, else the one it had. A hole with a marker in it is filled, and boundary segments with the domain on
+ * both sides become embedded ones, so that the loops of two parts that lie side by side part the one from the other.
  *
- * A domain that is not planar, or not finite, keeps its faults for [DomainCheck] to tell. What is wrong with a marker is
+ * Where lines cross or touch, the result has them and nothing else, for [DomainCheck] to tell. What is wrong with a marker is
  * told there too.
  */
-internal fun Domain.withRegions(
-    base: Region, markers: List<RegionMarker>, outlines: List<RegionOutline> = emptyList(),
-): Domain {
-    if (markers.isEmpty() && outlines.isEmpty()) {
-        return Domain(xy, segments, segmentTags, embedded, tags, DomainRegions.single(base), points)
-    }
-    val lines = withoutSides(base, outlines.isNotEmpty())
-    return if (DomainCheck.hasLineFaults(lines)) lines else RegionAssembly(this, lines, base, markers, outlines).assemble()
+internal fun Domain.withRegions(markers: List<RegionMarker>, outlines: List<RegionOutline> = emptyList()): Domain {
+    if (markers.isEmpty() && outlines.isEmpty() && regionMap.isSingle || !regionMap.isPlanar) return this
+    val lines = withoutSides(outlines.isNotEmpty())
+    return if (DomainCheck.hasLineFaults(lines)) lines else RegionAssembly(this, lines, markers, outlines).assemble()
 }
 
 /** The same lines without knowledge of what is inside: all embedded, and of boundary segments between the same nodes the first. */
-private fun Domain.withoutSides(base: Region, inOneDirectionToo: Boolean): Domain {
+private fun Domain.withoutSides(inOneDirectionToo: Boolean): Domain {
     val seen = HashSet<Long>(2 * boundaryCount)
     val kept = (0 until segmentCount).filter { s ->
         val a = segmentStart(s)
@@ -31,10 +32,10 @@ private fun Domain.withoutSides(base: Region, inOneDirectionToo: Boolean): Domai
         if (!isEmbedded(s)) seen.add(pairKey(a, b))
         !isSecond
     }
-    val regions = DomainRegions(java.util.List.of(base), IntArray(0), emptyList(), isPlanar = false)
+    val single = DomainRegions(java.util.List.of(regions[0]), IntArray(0), emptyList(), isPlanar = false)
     return Domain(
         xy, IntArray(2 * kept.size) { segments[2 * kept[it / 2] + it % 2] }, IntArray(kept.size) { segmentTags[kept[it]] },
-        BooleanArray(kept.size) { true }, tags, regions, points,
+        BooleanArray(kept.size) { true }, tags, single, points,
     )
 }
 
@@ -44,7 +45,6 @@ private fun pairKey(a: Int, b: Int): Long = (a.toLong() shl 32) or b.toLong()
 private class RegionAssembly(
     private val domain: Domain,
     private val lines: Domain,
-    private val base: Region,
     private val markers: List<RegionMarker>,
     private val outlines: List<RegionOutline>,
 ) {
@@ -53,21 +53,20 @@ private class RegionAssembly(
     private val faces = LineWorkFaces(lines.xy, segments, DoubleArray(0))
     private val isInside = BooleanArray(faces.faceBound)
 
-    /** Regions that occur, the base first. */
-    private val regions = arrayListOf(base)
+    /** Regions that occur, those of the domain first. */
+    private val regions = ArrayList(domain.regions)
 
-    /** Per face the region, 0 where no marker tells. */
+    /** Per face the region. */
     private val regionOf = IntArray(faces.faceBound)
+
+    /** Faces whose neighbours have not been looked at. */
+    private val entered = IntList()
     private val markerOf = arrayOfNulls<RegionMarker>(faces.faceBound)
     private val faults = ArrayList<Fault>()
 
     fun assemble(): Domain {
-        val sides = HashSet<Long>(2 * domain.segmentCount)
-        for (s in 0 until domain.segmentCount) {
-            sides.add(pairKey(domain.segmentStart(s), domain.segmentEnd(s)))
-            if (domain.isEmbedded(s)) sides.add(pairKey(domain.segmentEnd(s), domain.segmentStart(s)))
-        }
-        for (side in segments.indices) if (pairKey(segments[side], segments[side xor 1]) in sides) enter(faces.faceOf(side))
+        enterKnownSides()
+        spread()
         if (outlines.isNotEmpty()) {
             val around = RegionOutlines(lines.xy, segments, faces, outlines).smallest()
             for (face in around.indices) if (around[face] >= 0) regionOf[face] = numberOf(outlines[around[face]].region)
@@ -76,8 +75,41 @@ private class RegionAssembly(
         return build()
     }
 
-    private fun enter(face: Int) {
-        if (face >= 0) isInside[face] = true
+    /** What lies beside boundary segments, and beside all where the domain has its regions already. */
+    private fun enterKnownSides() {
+        val regionOfSide = HashMap<Long, Int>(2 * domain.segmentCount)
+        for (s in 0 until domain.segmentCount) {
+            if (domain.isEmbedded(s) && domain.regionMap.isSingle) continue
+            regionOfSide[pairKey(domain.segmentStart(s), domain.segmentEnd(s))] = domain.regionOnLeft(s)
+            regionOfSide.putIfAbsent(pairKey(domain.segmentEnd(s), domain.segmentStart(s)), domain.regionOnRight(s))
+        }
+        for (side in segments.indices) {
+            val region = regionOfSide[pairKey(segments[side], segments[side xor 1])] ?: continue
+            if (region >= 0) enter(faces.faceOf(side), region)
+        }
+    }
+
+    private fun enter(face: Int, region: Int) {
+        if (face < 0 || isInside[face]) return
+        isInside[face] = true
+        regionOf[face] = region
+        entered.add(face)
+    }
+
+    /** Across embedded segments the domain goes on; what they close off is inside too. */
+    private fun spread() {
+        val boundary = HashSet<Long>(4 * domain.boundaryCount)
+        for (s in 0 until domain.boundaryCount) {
+            boundary.add(pairKey(domain.segmentStart(s), domain.segmentEnd(s)))
+            boundary.add(pairKey(domain.segmentEnd(s), domain.segmentStart(s)))
+        }
+        val sidesOf = faces.sides()
+        while (entered.size > 0) {
+            val face = entered.removeLast()
+            for (side in sidesOf[face]) {
+                if (pairKey(segments[side], segments[side xor 1]) !in boundary) enter(faces.faceOf(side xor 1), regionOf[face])
+            }
+        }
     }
 
     private fun place(marker: RegionMarker) {
@@ -115,7 +147,7 @@ private class RegionAssembly(
         val newNumber = IntArray(regions.size)
         var used = 0
         for (r in newNumber.indices) newNumber[r] = if (isUsed[r]) used++ else -1
-        val list = if (used == 0) listOf(base) else regions.filterIndexed { r, _ -> isUsed[r] }
+        val list = if (used == 0) domain.regions else regions.filterIndexed { r, _ -> isUsed[r] }
 
         val left = IntArray(count) { region(faces.faceOf(2 * it)).let { r -> if (r < 0) -1 else newNumber[r] } }
         val right = IntArray(count) { region(faces.faceOf(2 * it + 1)).let { r -> if (r < 0) -1 else newNumber[r] } }
@@ -133,7 +165,7 @@ private class RegionAssembly(
                 val isTurned = isBoundary[i] && left[i] < 0
                 if ((it % 2 == 0) != isTurned) left[i] else right[i]
             }
-            DomainRegions(java.util.List.copyOf(list), if (list.size == 1) IntArray(0) else sides, faults)
+            DomainRegions(java.util.List.copyOf(list), if (list.size == 1) IntArray(0) else sides, domain.regionMap.faults + faults)
         }
     }
 

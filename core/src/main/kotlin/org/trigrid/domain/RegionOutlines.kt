@@ -26,7 +26,7 @@ internal class RegionOutlines(
     /** Per face the outline, or -1. */
     fun smallest(): IntArray {
         val outside = faces.faceBound
-        val sidesOf = sidesOfFaces(outside)
+        val sidesOf = faces.sides()
         val around = arrayOfNulls<IntArray>(outside + 1)
         around[outside] = IntArray(0)
         val todo = IntList()
@@ -44,12 +44,6 @@ internal class RegionOutlines(
     }
 
     private fun numberOf(face: Int, outside: Int) = if (face >= 0) face else outside
-
-    private fun sidesOfFaces(outside: Int): Array<IntArray> {
-        val lists = Array(outside + 1) { IntList() }
-        for (side in segments.indices) lists[numberOf(faces.faceOf(side), outside)].add(side)
-        return Array(lists.size) { lists[it].toArray() }
-    }
 
     /** Those in one of the two, but not in both. */
     private fun toggled(around: IntArray, crossed: IntArray): IntArray {

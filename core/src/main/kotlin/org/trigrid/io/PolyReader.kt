@@ -43,11 +43,13 @@ internal class PolyReader private constructor(private val file: Path, text: Stri
         val holes = if (lines.hasNext()) readHoles() else DoubleArray(0)
         val regions = if (lines.hasNext()) readRegions() else emptyList()
         val name = DomainFormats.baseName(file)
-        val pointTags = IntArray(points.markers.size) { i ->
-            tagNumber(if (points.markers[i] == 0) "point" else "marker_${points.markers[i]}")
+        val isOnSegment = BooleanArray(points.markers.size)
+        for (point in segments) isOnSegment[point] = true
+        val pointTags = IntArray(isOnSegment.size) { i ->
+            if (isOnSegment[i]) 0 else tagNumber(if (points.markers[i] == 0) "point" else "marker_${points.markers[i]}")
         }
         val domain = Domain.fromLineWork(points.xy, segments, segmentTags, pointTags, tags.keys.toList(), name, holes)
-        return NamedDomain(name, domain.withRegions(Region.of(name), regions))
+        return NamedDomain(name, domain.withRegions(regions))
     }
 
     /** Numbers in the file begin with 0 or 1, or run in any order. */
