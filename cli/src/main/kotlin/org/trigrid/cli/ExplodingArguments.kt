@@ -59,8 +59,11 @@ internal class ExplodingArguments {
     var points: List<String> = emptyList()
 
     @Option(
-        names = ["--line"], paramLabel = "[NAME@]X,Y,X,Y",
-        description = ["Segments between these places inside the domain become edges of the mesh. May be given again."],
+        names = ["--line"], paramLabel = "[NAME[,H]@]X,Y,X,Y",
+        description = [
+            "Segments between these places inside the domain, or with H nodes at that distance along them, become edges of the " +
+                "mesh. May be given again.",
+        ],
     )
     var lines: List<String> = emptyList()
 

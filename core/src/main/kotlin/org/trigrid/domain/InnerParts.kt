@@ -13,6 +13,7 @@ public class InnerParts private constructor(
     @get:JvmName("lineCount")
     public val lineCount: Int get() = lines.size
 
+    /** Points that become nodes. */
     @get:JvmName("pointCount")
     public val pointCount: Int get() = points.size
 
@@ -23,6 +24,7 @@ public class InnerParts private constructor(
     /** Whether there is nothing. */
     public fun isEmpty(): Boolean = lines.isEmpty() && points.isEmpty() && markers.isEmpty()
 
+    /** Group of a line's edges. */
     public fun lineTag(line: Int): String = lines[line].tag
 
     /** x0, y0, x1, y1, … of a line; the first node of a closed one is not repeated. A copy. */
@@ -31,16 +33,22 @@ public class InnerParts private constructor(
     /** Whether the line runs back to its first node. */
     public fun isClosed(line: Int): Boolean = lines[line].isClosed
 
+    /** Group of a point. */
     public fun pointTag(point: Int): String = points[point].tag
 
+    /** In the unit of the domain, as [pointY]. */
     public fun pointX(point: Int): Double = points[point].x
 
+    /** In the unit of the domain, as [pointX]. */
     public fun pointY(point: Int): Double = points[point].y
 
+    /** The region that a place tells. */
     public fun markerRegion(marker: Int): Region = markers[marker].region
 
+    /** In the unit of the domain, as [markerY]. */
     public fun markerX(marker: Int): Double = markers[marker].x
 
+    /** In the unit of the domain, as [markerX]. */
     public fun markerY(marker: Int): Double = markers[marker].y
 
     /**
