@@ -22,6 +22,9 @@ public class DomainBuilder internal constructor() {
     private val pointTags = IntList()
     private val markers = ArrayList<RegionMarker>()
     private val outlines = ArrayList<RegionOutline>()
+
+    /** By name, of markers and outlines. */
+    private val regions = HashMap<String, Region>()
     private var base = Region.of(Region.DEFAULT_NAME)
 
     /** Adds an outer boundary with the tag "boundary". */
@@ -112,6 +115,7 @@ public class DomainBuilder internal constructor() {
      */
     public fun region(x: Double, y: Double, region: Region): DomainBuilder = apply {
         requireNew(region)
+        regions[region.name] = region
         markers.add(RegionMarker(x, y, region))
     }
 
@@ -131,6 +135,7 @@ public class DomainBuilder internal constructor() {
     public fun region(xy: DoubleArray, region: Region, segmentTags: List<String>): DomainBuilder = apply {
         requireNew(region)
         outer(xy, segmentTags)
+        regions[region.name] = region
         outlines.add(RegionOutline(xy.copyOf(), region))
     }
 
@@ -206,8 +211,8 @@ public class DomainBuilder internal constructor() {
 
     /** Regions are told apart by their names. */
     private fun requireNew(region: Region) {
-        val others = markers.map { it.region } + outlines.map { it.region }
-        require(others.all { it.name != region.name || it == region }) { "there is another region called \"${region.name}\"" }
+        val known = regions[region.name]
+        require(known == null || known == region) { "there is another region called \"${region.name}\"" }
     }
 
     private fun requirePairs(xy: DoubleArray) =

@@ -85,9 +85,11 @@ internal class LineWorkFaces(private val xy: DoubleArray, private val segments: 
     /** Numbers of faces are below this. */
     val faceBound: Int get() = cycles.size
 
-    /** Start nodes along the boundaries of a face: the outer one, then those of what lies in it and has an area. Not modified. */
-    fun boundariesOf(face: Int): List<IntArray> =
-        listOf(cycles[face]) + cycles.indices.filter { it != face && signs[it] < 0 && faceOfCycle[it] == face }.map { cycles[it] }
+    /** Per face the start nodes along its boundaries: the outer one, then those of what lies in it and has an area. Not modified. */
+    fun boundaries(): Array<List<IntArray>> {
+        val within = cycles.indices.filter { signs[it] < 0 && faceOfCycle[it] >= 0 }.groupBy { faceOfCycle[it] }
+        return Array(faceBound) { face -> listOf(cycles[face]) + within[face].orEmpty().map { cycles[it] } }
+    }
 
     /** Per face the sides that have it on their left; those of the outside come last, at [faceBound]. */
     fun sides(): Array<IntArray> {

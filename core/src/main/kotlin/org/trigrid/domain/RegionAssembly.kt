@@ -55,6 +55,7 @@ private class RegionAssembly(
 
     /** Regions that occur, those of the domain first. */
     private val regions = ArrayList(domain.regions)
+    private val numbers = HashMap<Region, Int>()
 
     /** Per face the region. */
     private val regionOf = IntArray(faces.faceBound)
@@ -63,6 +64,10 @@ private class RegionAssembly(
     private val entered = IntList()
     private val markerOf = arrayOfNulls<RegionMarker>(faces.faceBound)
     private val faults = ArrayList<Fault>()
+
+    init {
+        for ((number, region) in regions.withIndex()) numbers.putIfAbsent(region, number)
+    }
 
     fun assemble(): Domain {
         enterKnownSides()
@@ -134,12 +139,7 @@ private class RegionAssembly(
         faults.add(Fault(FaultKind.REGION_POINT, message, marker.x, marker.y, IntArray(0)))
     }
 
-    private fun numberOf(region: Region): Int {
-        val found = regions.indexOf(region)
-        if (found >= 0) return found
-        regions.add(region)
-        return regions.size - 1
-    }
+    private fun numberOf(region: Region): Int = numbers.getOrPut(region) { regions.size.also { regions.add(region) } }
 
     private fun build(): Domain {
         val isUsed = BooleanArray(regions.size)

@@ -11,6 +11,7 @@ internal object RegionPoints {
     /** One for each face, in the order in which segments come upon them. */
     fun of(domain: Domain): List<RegionMarker> {
         val faces = LineWorkFaces(domain.xy, domain.segments, DoubleArray(0))
+        val boundaries = faces.boundaries()
         val isDone = BooleanArray(faces.faceBound)
         val markers = ArrayList<RegionMarker>()
         for (side in domain.segments.indices) {
@@ -18,7 +19,7 @@ internal object RegionPoints {
             val region = if (side % 2 == 0) domain.regionOnLeft(side / 2) else domain.regionOnRight(side / 2)
             if (face < 0 || region < 0 || isDone[face]) continue
             isDone[face] = true
-            val rings = faces.boundariesOf(face).map { ring(domain, it) }
+            val rings = boundaries[face].map { ring(domain, it) }
             val point = FACTORY.createPolygon(rings[0], rings.drop(1).toTypedArray()).interiorPoint
             markers.add(RegionMarker(point.x, point.y, domain.regions[region]))
         }

@@ -20,8 +20,7 @@ internal class BoundedField(
 
     override val lastHint: Int get() = boundaryField.lastHint
 
-    /** Distance below which the user's sizes may change; infinity if there are none. */
-    val detail: Double get() = ceiling.detail
+    override val detail: Double get() = ceiling.detail
 
     override fun hintOf(node: Int): Int = boundaryField.hintOf(node)
 

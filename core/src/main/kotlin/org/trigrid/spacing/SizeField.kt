@@ -13,6 +13,9 @@ internal interface SizeField {
      */
     fun sizeAt(x: Double, y: Double, hint: Int): Double
 
+    /** Distance below which user's sizes, or those at points, may change; infinity where there are none. */
+    val detail: Double get() = Double.POSITIVE_INFINITY
+
     /** Where the last evaluation ended; a good hint for places near it. */
     val lastHint: Int
 

@@ -11,10 +11,7 @@ internal object SizeFields {
      * others get small elements round them.
      */
     fun createWithPoints(domain: Domain, rules: SizeRules, mesh: ConstrainedDelaunay, checkpoint: Checkpoint): SizeField {
-        val carrier = domain.withoutLonePoints()
-        val field = create(carrier, rules, mesh, checkpoint)
-        val close = PointSources.of(domain, field)
-        return if (close.count == 0) field else create(carrier, rules.with(close), mesh, checkpoint)
+        return PointField.over(create(domain.withoutLonePoints(), rules, mesh, checkpoint), domain, rules, checkpoint)
     }
 
     /** The field of a valid domain of segments, whose triangulation is [mesh]. */

@@ -13,7 +13,4 @@ internal class SizeRules @JvmOverloads constructor(
     val function: SizeFunction?,
     /** Points and lines with sizes of their own. */
     val sources: SizeSources = SizeSources.NONE,
-) {
-    /** With more sources. */
-    fun with(more: SizeSources): SizeRules = SizeRules(sizes, gradation, minSize, maxSize, function, sources.with(more))
-}
+)

@@ -87,7 +87,18 @@ class EmbeddedPointsTest {
         val domain = builder.build()
         val made = MeshGenerator.generate(domain)
         assertEquals(emptyList<Any>(), MeshCheck.check(made.mesh, domain))
-        assertTrue(made.report.quality.minQuality > 0.3) { "${made.report.quality.minQuality}" }
+        assertTrue(made.report.quality.minQuality > 0.5) { "${made.report.quality.minQuality}" }
+    }
+
+    @Test
+    fun `many points at random places leave good elements, near a coarse boundary too`() {
+        val r = Random(9)
+        val builder = plate()
+        repeat(2000) { builder.embedPoint(0.01 + 0.98 * r.nextDouble(), 0.01 + 0.98 * r.nextDouble(), "p") }
+        val domain = builder.build()
+        val made = MeshGenerator.generate(domain)
+        assertEquals(emptyList<Any>(), MeshCheck.check(made.mesh, domain))
+        assertTrue(made.report.quality.minQuality > 0.5) { "${made.report.quality.minQuality}" }
     }
 
     private fun plate() = Domain.builder().outer(subdivided(SQUARE, 20), "rim")
