@@ -8,9 +8,13 @@ import org.trigrid.diagnostics.Stage
 import org.trigrid.diagnostics.TooManyElementsException
 import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
+import org.trigrid.domain.LaidDomain
 import org.trigrid.front.FrontListener
 import org.trigrid.front.FrontMesher
+import org.trigrid.front.LaidListener
+import org.trigrid.front.Strategy
 import org.trigrid.improve.MeshImprovement
+import org.trigrid.mesh.LaidMesh
 import org.trigrid.mesh.MeshFreezer
 import org.trigrid.mesh.TriMesh
 import org.trigrid.numbering.Numbering
@@ -65,16 +69,18 @@ public object MeshGenerator {
 
         run.begin(Stage.SIZES)
         val sizing = Checkpoint(run, Stage.SIZES)
-        val triangulation = ConstrainedDelaunay.of(domain.withoutLonePoints(), sizing)
+        // The paper's rule goes round the boundary as it was given.
+        val laid = if (options.strategy == Strategy.CLASSIC) LaidDomain.asGiven(domain) else LaidDomain.of(domain, sizing)
+        val triangulation = ConstrainedDelaunay.of(laid.domain.withoutLonePoints(), sizing)
         sizing.reach(0.4)
-        val sizes = SizeFields.createWithPoints(domain, options.sizeRules(), triangulation, sizing)
+        val sizes = SizeFields.createWithPoints(laid.domain, options.sizeRules(laid.pose), triangulation, sizing)
         sizing.reach(0.7)
         val expected = SizeFields.estimateElements(triangulation, sizes, sizing)
         val refusal = WorkLimit(expected, domain.nodeCount).refusal(options.maxElements, Runtime.getRuntime().maxMemory())
         if (refusal != null) throw TooManyElementsException(refusal)
 
         run.begin(Stage.FRONT)
-        val raw = FrontMesher.mesh(domain, sizes, options.strategy, expected, run, listener)
+        val raw = FrontMesher.mesh(laid.domain, sizes, options.strategy, expected, run, listener?.let { LaidListener(laid, it) })
 
         run.begin(Stage.IMPROVE)
         if (options.improve) {
@@ -85,6 +91,7 @@ public object MeshGenerator {
 
         run.begin(Stage.RENUMBER)
         val finishing = Checkpoint(run, Stage.RENUMBER)
+        LaidMesh.takeBack(raw.mesh, laid, domain.xy, finishing)
         val made = MeshFreezer.freeze(raw.mesh, domain, finishing)
         val before = NumberingMetrics.of(made, finishing)
         val mesh = Numbering.renumber(made, options.numbering, finishing)

@@ -1,6 +1,7 @@
 package org.trigrid
 
 import org.trigrid.front.Strategy
+import org.trigrid.geometry.Pose
 import org.trigrid.numbering.NumberingMethod
 import org.trigrid.spacing.SizeFunction
 import org.trigrid.spacing.SizeRules
@@ -58,9 +59,9 @@ public class MeshOptions private constructor(builder: Builder) {
     @get:JvmName("maxElements")
     public val maxElements: Int = builder.maxElements
 
-    /** What the options say about sizes. */
-    internal fun sizeRules(): SizeRules =
-        SizeRules(sizes, gradation, minSize, maxSize, sizeFunction, sizeSources)
+    /** What the options say about sizes, for a domain that lies in a [pose]. */
+    internal fun sizeRules(pose: Pose): SizeRules =
+        SizeRules(sizes, gradation, minSize, maxSize, sizeFunction, sizeSources, pose)
 
     /** Collects options; the same builder may build several times. */
     public class Builder internal constructor() {

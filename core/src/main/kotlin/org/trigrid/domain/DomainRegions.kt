@@ -22,6 +22,13 @@ internal class DomainRegions(
     fun ofParts(origin: IntArray): DomainRegions =
         if (sides.isEmpty()) this else DomainRegions(list, IntArray(2 * origin.size) { sides[2 * origin[it / 2] + it % 2] }, faults, isPlanar)
 
+    /** The same for segments in another order, the sides of some of them swapped; [origin] tells of which segment each is made. */
+    fun laid(origin: IntArray, isSwapped: (Int) -> Boolean): DomainRegions {
+        if (sides.isEmpty()) return this
+        val laid = IntArray(2 * origin.size) { sides[2 * origin[it / 2] + (if (isSwapped(it / 2)) 1 - it % 2 else it % 2)] }
+        return DomainRegions(list, laid, faults, isPlanar)
+    }
+
     /**
      * With [added] embedded segments more after [count], of whose sides nobody knows yet: the assembly of regions takes them from
      * the faces.

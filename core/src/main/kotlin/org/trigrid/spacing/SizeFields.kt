@@ -73,14 +73,14 @@ internal object SizeFields {
     }
 
     private fun ceiling(domain: Domain, rules: SizeRules, regions: RegionSizes?, checkpoint: Checkpoint): SizeCeiling {
-        val sources = rules.sources.graded(rules.gradation)
+        val sources = rules.sources.graded(rules.gradation, rules.pose)
         val minX = (0 until domain.nodeCount).minOf { domain.x(it) }
         val minY = (0 until domain.nodeCount).minOf { domain.y(it) }
         val extentX = (0 until domain.nodeCount).maxOf { domain.x(it) } - minX
         val extentY = (0 until domain.nodeCount).maxOf { domain.y(it) } - minY
         val extent = Math.max(extentX, extentY)
         val sampled = rules.function?.let {
-            SampledSizes(it, minX, minY, extent, InsideLocator(domain), rules.gradation, checkpoint)
+            SampledSizes(it, rules.pose, minX, minY, extent, InsideLocator(domain), rules.gradation, checkpoint)
         }
         val detail = sampled?.evenCell ?: if (sources != null) extent / SOURCE_CELLS else Double.POSITIVE_INFINITY
         return SizeCeiling(rules.maxSize, sampled, sources, regions, detail)

@@ -81,6 +81,26 @@ class RegionMeshTest {
     }
 
     @Test
+    fun `the largest size of a region holds however the domain lies`() {
+        val line = doubleArrayOf(0.3, 0.0, 0.35, 0.25, 0.3, 0.5, 0.4, 0.75, 0.5, 1.0)
+        for (pose in 0 until 8) {
+            fun laid(xy: DoubleArray) = DoubleArray(xy.size) {
+                val x = if (pose >= 4) -xy[it - it % 2] else xy[it - it % 2]
+                val y = xy[it - it % 2 + 1]
+                listOf(listOf(x, y), listOf(-y, x), listOf(-x, -y), listOf(y, -x))[pose % 4][it % 2]
+            }
+            val left = laid(doubleArrayOf(0.1, 0.3))
+            val plate = doubleArrayOf(0.0, 0.0, 0.3, 0.0, 1.0, 0.0, 1.0, 1.0, 0.5, 1.0, 0.0, 1.0)
+            val domain = Domain.builder().regionName("right").outer(laid(plate)).embed(laid(line), "cut")
+                .region(left[0], left[1], Region.of("left").withMaxSize(0.02)).build()
+            val mesh = MeshGenerator.generate(domain, MeshOptions.builder().gradation(2.0).build()).mesh
+            assertEquals(emptyList<Any>(), MeshCheck.check(mesh, domain))
+            val share = mesh.elementsIn("left").size.toDouble() / mesh.elementCount
+            assertTrue(share > 0.7) { "pose $pose: $share of ${mesh.elementCount}" }
+        }
+    }
+
+    @Test
     fun `a region meshed beside another is as good as one alone`() {
         val disc = placed(ring(60), 0.0, 0.0, 0.5)
         val plate = subdivided(SQUARE, 40)
