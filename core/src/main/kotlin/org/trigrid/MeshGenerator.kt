@@ -13,6 +13,7 @@ import org.trigrid.front.FrontListener
 import org.trigrid.front.FrontMesher
 import org.trigrid.front.LaidListener
 import org.trigrid.front.Strategy
+import org.trigrid.geometry.Pose
 import org.trigrid.improve.MeshImprovement
 import org.trigrid.mesh.LaidMesh
 import org.trigrid.mesh.MeshFreezer
@@ -28,7 +29,7 @@ import org.trigrid.spacing.SizeFields
  * Makes meshes: checks the domain, finds the sizes, advances the front, improves the mesh and renumbers its nodes.
  *
  * Guarantee: every valid domain gets a valid mesh, in which each given node and segment stands exactly as given and no
- * other node lies on the boundary. The same input gives the same mesh, to the last bit, on every machine.
+ * other node lies on the boundary, on an embedded line or on the interface of two regions. The same input gives the same mesh, to the last bit, on every machine.
  * Exception: a domain whose sizes ask for more elements than [MeshOptions.maxElements], or than Java's heap can hold, is
  * refused before meshing.
  *
@@ -80,8 +81,8 @@ public object MeshGenerator {
         checkDomain(domain, run)
         run.begin(Stage.SIZES)
         val sizing = Checkpoint(run, Stage.SIZES)
-        val triangulation = ConstrainedDelaunay.of(domain, sizing)
-        val sizes = SizeFields.create(domain, options.sizeRules(), triangulation, sizing)
+        val triangulation = ConstrainedDelaunay.of(domain.withoutLonePoints(), sizing)
+        val sizes = SizeFields.createWithPoints(domain, options.sizeRules(Pose.AS_GIVEN), triangulation, sizing)
         return SizeFields.estimateElements(triangulation, sizes, sizing)
     }
 
@@ -98,9 +99,9 @@ public object MeshGenerator {
         val sizing = Checkpoint(run, Stage.SIZES)
         // The paper's rule goes round the boundary as it was given.
         val laid = if (options.strategy == Strategy.CLASSIC) LaidDomain.asGiven(domain) else LaidDomain.of(domain, sizing)
-        val triangulation = ConstrainedDelaunay.of(laid.domain, sizing)
+        val triangulation = ConstrainedDelaunay.of(laid.domain.withoutLonePoints(), sizing)
         sizing.reach(0.4)
-        val sizes = SizeFields.create(laid.domain, options.sizeRules(laid.pose), triangulation, sizing)
+        val sizes = SizeFields.createWithPoints(laid.domain, options.sizeRules(laid.pose), triangulation, sizing)
         sizing.reach(0.7)
         val expected = SizeFields.estimateElements(triangulation, sizes, sizing)
         val refusal = WorkLimit(expected, domain.nodeCount).refusal(options.maxElements, Runtime.getRuntime().maxMemory())

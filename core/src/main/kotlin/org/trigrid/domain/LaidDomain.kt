@@ -34,7 +34,7 @@ internal class LaidDomain private constructor(
             val pose = Pose(moments.isMirrored, turns and 3)
             val sweep = phase + (turns and 3) * QUARTER + SWEEP
             val order = SweepOrder(domain, pose, StrictMath.cos(sweep), StrictMath.sin(sweep), checkpoint)
-            val laid = Domain(order.xy(), order.segments, order.segmentTags, order.embedded, domain.tags, domain.regionName)
+            val laid = Domain(order.xy(), order.segments, order.segmentTags, order.embedded, domain.tags, order.regions())
             return LaidDomain(laid, pose, order.givenNodes)
         }
 

@@ -5,7 +5,7 @@ import org.trigrid.geometry.Pose
 
 /**
  * The loops of a domain as a line sweeping over it in a direction meets them: each from the node met first, in the order
- * of these nodes; then the embedded segments by their first ends. Nodes are numbered as they come.
+ * of these nodes; then the embedded segments by their first ends. Nodes are numbered as they come, those of no segment last.
  */
 internal class SweepOrder(
     private val domain: Domain,
@@ -19,6 +19,9 @@ internal class SweepOrder(
 
     /** As in [Domain]. */
     val segments = IntArray(2 * domain.segmentCount)
+
+    /** Per segment its number in the domain. */
+    val givenSegments = IntArray(domain.segmentCount)
 
     /** As in [Domain]. */
     val segmentTags = IntArray(domain.segmentCount)
@@ -43,8 +46,14 @@ internal class SweepOrder(
         val lines = (domain.boundaryCount until domain.segmentCount).sortedWith(
             compareBy({ metAt[earlierEnd(it)] }, { metAt[laterEnd(it)] }),
         )
-        for (line in lines) addSegment(earlierEnd(line), laterEnd(line), domain.segmentTag(line))
-        for (node in newNodes.indices) number(node)
+        for (line in lines) addSegment(line, earlierEnd(line), laterEnd(line))
+        for (node in newNodes.indices.filter { newNodes[it] < 0 }.sortedBy { metAt[it] }) number(node)
+    }
+
+    /** What lies beside the segments. */
+    fun regions(): DomainRegions = domain.regionMap.laid(givenSegments) { s ->
+        val isTurned = givenNodes[segments[2 * s]] != domain.segmentStart(givenSegments[s])
+        embedded[s] && isTurned != pose.isMirrored
     }
 
     /** x0, y0, x1, y1, … of the nodes as they are laid. */
@@ -70,11 +79,11 @@ internal class SweepOrder(
         for (i in 0 until count) {
             if (!pose.isMirrored) {
                 val s = from + (first - from + i) % count
-                addSegment(domain.segmentStart(s), domain.segmentEnd(s), domain.segmentTag(s))
+                addSegment(s, domain.segmentStart(s), domain.segmentEnd(s))
             } else {
                 // The way back along the loop: the domain is to be on the left.
                 val s = from + Math.floorMod(first - from - 1 - i, count)
-                addSegment(domain.segmentEnd(s), domain.segmentStart(s), domain.segmentTag(s))
+                addSegment(s, domain.segmentEnd(s), domain.segmentStart(s))
             }
         }
     }
@@ -88,11 +97,12 @@ internal class SweepOrder(
     private fun laterEnd(segment: Int): Int =
         domain.segmentStart(segment) + domain.segmentEnd(segment) - earlierEnd(segment)
 
-    private fun addSegment(start: Int, end: Int, tag: Int) {
+    private fun addSegment(given: Int, start: Int, end: Int) {
         checkpoint.pass()
         segments[2 * filled] = number(start)
         segments[2 * filled + 1] = number(end)
-        segmentTags[filled++] = tag
+        givenSegments[filled] = given
+        segmentTags[filled++] = domain.segmentTag(given)
     }
 
     private fun number(node: Int): Int {

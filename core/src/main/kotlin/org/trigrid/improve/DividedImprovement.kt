@@ -5,7 +5,7 @@ import org.trigrid.diagnostics.ProgressMonitor
 import org.trigrid.diagnostics.Stage
 import org.trigrid.geometry.IntList
 import org.trigrid.mesh.MeshDivision
-import org.trigrid.mesh.MeshPart
+import org.trigrid.mesh.MeshPiece
 import org.trigrid.mesh.MutableMesh
 import org.trigrid.parallel.Crew
 
@@ -29,7 +29,7 @@ internal class DividedImprovement(
         val partOf = IntArray(mesh.elementCount) { (it * count / size).toInt() }
         checkpoint.ask()
         val division = MeshDivision(mesh, partOf, count, checkpoint)
-        val parts = arrayOfNulls<MeshPart>(count)
+        val parts = arrayOfNulls<MeshPiece>(count)
         crew.run(count, { report(PARTS_SHARE * it) }) { index, progress ->
             val part = division.part(index, checkpoint(progress))
             MeshImprover(part.mesh, tolerance, progress).run()

@@ -52,7 +52,7 @@ internal class MeshDivision(
     private fun isShared(node: Int): Boolean = ownerOf[node] == SHARED
 
     /** Copies a part out of the whole; several threads may do so for different parts. */
-    fun part(part: Int, checkpoint: Checkpoint): MeshPart {
+    fun part(part: Int, checkpoint: Checkpoint): MeshPiece {
         val fixed = IntList()
         val free = IntList()
         for (at in starts[part] until starts[part + 1]) {
@@ -84,7 +84,7 @@ internal class MeshDivision(
                 if (twin >= 0 && partOf[twin / 3] == part) mesh.twins[own + k] = 3 * numberInPart[twin / 3] + twin % 3
             }
         }
-        return MeshPart(mesh, wholeNodes)
+        return MeshPiece(mesh, wholeNodes)
     }
 
     private fun emptyMesh(part: Int, wholeNodes: IntArray, embedded: EdgeSet, fixedCount: Int): MutableMesh {
@@ -128,7 +128,7 @@ internal class MeshDivision(
      * @param parts in their order, compacted.
      * @return the nodes where parts meet, in their new numbers.
      */
-    fun join(parts: List<MeshPart>, checkpoint: Checkpoint): IntArray {
+    fun join(parts: List<MeshPiece>, checkpoint: Checkpoint): IntArray {
         val meeting = IntList()
         for (node in 0 until whole.nodeCount) if (ownerOf[node] == SHARED) meeting.add(node)
         var free = whole.fixedNodeCount
@@ -155,7 +155,7 @@ internal class MeshDivision(
     }
 
     /** Puts one part back into the whole in the place of its elements; some elements and nodes may be dead then. */
-    fun replace(part: Int, by: MeshPart, checkpoint: Checkpoint) {
+    fun replace(part: Int, by: MeshPiece, checkpoint: Checkpoint) {
         val mesh = by.mesh
         var node = whole.fixedNodeCount
         val newNumber = IntArray(mesh.nodeCount) {

@@ -121,22 +121,25 @@ class DeterminismTest {
 
     private fun mapped(domain: Domain, map: (Double, Double) -> DoubleArray): Domain {
         val xy = DoubleArray(domain.xy.size) { map(domain.x(it / 2), domain.y(it / 2))[it % 2] }
-        return Domain(xy, domain.segments, domain.segmentTags, domain.embedded, domain.tags, domain.regionName)
+        return Domain(xy, domain.segments, domain.segmentTags, domain.embedded, domain.tags, domain.regionMap, domain.points)
     }
 
-    /** Loops the other way round, as a mirrored outline needs. */
+    /** Loops and lines the other way round, as a mirrored outline needs. */
     private fun reversed(domain: Domain): Domain {
         val count = domain.boundaryCount
-        val segments = domain.segments.copyOf()
-        for (i in 0 until 2 * count) segments[i] = domain.segments[2 * count - 1 - i]
-        return Domain(domain.xy, segments, domain.segmentTags, domain.embedded, domain.tags, domain.regionName)
+        val segments = IntArray(domain.segments.size) {
+            if (it < 2 * count) domain.segments[2 * count - 1 - it] else domain.segments[it xor 1]
+        }
+        val regions = domain.regionMap.ofParts(IntArray(domain.segmentCount) { if (it < count) count - 1 - it else it })
+        return Domain(domain.xy, segments, domain.segmentTags, domain.embedded, domain.tags, regions, domain.points)
     }
 
     private fun ordered(domain: Domain, order: List<Int>): Domain {
         val all = order + (domain.boundaryCount until domain.segmentCount)
         val segments = IntArray(2 * all.size) { domain.segments[2 * all[it / 2] + it % 2] }
         val tags = IntArray(all.size) { domain.segmentTags[all[it]] }
-        return Domain(domain.xy, segments, tags, domain.embedded, domain.tags, domain.regionName)
+        val regions = domain.regionMap.ofParts(all.toIntArray())
+        return Domain(domain.xy, segments, tags, domain.embedded, domain.tags, regions, domain.points)
     }
 
     private companion object {

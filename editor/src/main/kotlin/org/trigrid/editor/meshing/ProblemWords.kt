@@ -16,7 +16,8 @@ internal object ProblemWords {
         FaultKind.HOLE_OUTSIDE -> "Hole outside"
         FaultKind.OVERLAP -> "Lines overlap"
         FaultKind.DEGENERATE_LOOP -> "No area"
-        FaultKind.EMBEDDED_OUTSIDE -> "Inner line outside"
+        FaultKind.EMBEDDED_OUTSIDE -> "Inner line or point outside"
+        FaultKind.REGION_POINT -> "Region unclear"
     }
 
     fun title(kind: WarningKind): String = when (kind) {
