@@ -1,6 +1,6 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.TriMesh
+import org.trigrid.mesh.QuadraticMesh
 import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -40,9 +40,9 @@ internal class MeditFormat : MeshFormat("medit", "Medit .mesh, ASCII", listOf(".
         text.flush()
     }
 
-    override fun read(file: Path): TriMesh {
+    override fun contents(file: Path): MeshContents {
         ReadingMemory.check(file, ReadingMemory.MSH)
-        return MeditReader.read(Files.readAllBytes(file), file.toString())
+        return MeditReader.contents(Files.readAllBytes(file), file.toString())
     }
 }
 
@@ -52,7 +52,7 @@ internal class MeditReader private constructor(private val scanner: MshScanner) 
     private var dimension = 0
     private var vertexCount = -1
 
-    private fun read(): TriMesh {
+    private fun read(): MeshContents {
         scanner.expect("MeshVersionFormatted")
         scanner.int("the version", 1)
         while (!scanner.atEnd()) {
@@ -61,7 +61,9 @@ internal class MeditReader private constructor(private val scanner: MshScanner) 
                 "Vertices" -> readVertices()
                 "Edges" -> readEdges()
                 "Triangles" -> readTriangles()
-                "Quadrilaterals", "Tetrahedra", "Hexahedra", "Prisms", "Pyramids", "TrianglesP2" -> {
+                "EdgesP2" -> readQuadraticEdges()
+                "TrianglesP2" -> readQuadraticTriangles()
+                "Quadrilaterals", "Tetrahedra", "Hexahedra", "Prisms", "Pyramids" -> {
                     if (scanner.int("the number of elements", 0) > 0) scanner.fail("$keyword cannot be read, only Edges and Triangles")
                 }
                 "End" -> break
@@ -71,7 +73,7 @@ internal class MeditReader private constructor(private val scanner: MshScanner) 
                 }
             }
         }
-        return contents.toMesh()
+        return contents
     }
 
     private fun readVertices() {
@@ -106,6 +108,22 @@ internal class MeditReader private constructor(private val scanner: MshScanner) 
         }
     }
 
+    private fun readQuadraticEdges() {
+        repeat(scanner.count("the number of edges")) {
+            val a = vertex()
+            val b = vertex()
+            val middle = vertex()
+            contents.addQuadraticLine(a, b, middle, reference())
+        }
+    }
+
+    private fun readQuadraticTriangles() {
+        repeat(scanner.count("the number of triangles")) {
+            val nodes = IntArray(QuadraticMesh.NODES_PER_ELEMENT) { vertex() }
+            contents.addQuadraticTriangle(nodes[0], nodes[1], nodes[2], nodes[3], nodes[4], nodes[5], reference())
+        }
+    }
+
     private fun vertex(): Int = contents.nodeOf(scanner.int("a vertex", 1))
 
     private fun reference(): Int = Math.abs(scanner.int("a reference", -Int.MAX_VALUE))
@@ -115,6 +133,6 @@ internal class MeditReader private constructor(private val scanner: MshScanner) 
          * @param source name of the file, for messages.
          * @throws org.trigrid.diagnostics.FileFormatException with line and column.
          */
-        fun read(bytes: ByteArray, source: String): TriMesh = MeditReader(MshScanner(bytes, source, '#')).read()
+        fun contents(bytes: ByteArray, source: String): MeshContents = MeditReader(MshScanner(bytes, source, '#')).read()
     }
 }

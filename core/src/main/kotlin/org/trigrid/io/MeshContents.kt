@@ -3,6 +3,7 @@ package org.trigrid.io
 import org.trigrid.domain.Region
 import org.trigrid.geometry.IntList
 import org.trigrid.mesh.MeshParts
+import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.mesh.TriMesh
 import org.trigrid.mesh.TriMeshFactory
 
@@ -31,6 +32,10 @@ internal class MeshContents(
     private val lineGroups = IntList()
     private val triangles = IntList()
     private val triangleGroups = IntList()
+
+    /** Of lines and triangles of the second order: one middle a line, three a triangle. */
+    private val lineMiddles = IntList()
+    private val middles = IntList()
     private val points = IntList()
     private val pointGroups = IntList()
 
@@ -88,6 +93,20 @@ internal class MeshContents(
         triangleGroups.add(group)
     }
 
+    /** As [addLine], with the node in the middle. */
+    fun addQuadraticLine(a: Int, b: Int, middle: Int, group: Int) {
+        addLine(a, b, group)
+        lineMiddles.add(middle)
+    }
+
+    /** As [addTriangle], with the nodes in the middles of its edges a-b, b-c and c-a. */
+    fun addQuadraticTriangle(a: Int, b: Int, c: Int, ab: Int, bc: Int, ca: Int, group: Int) {
+        addTriangle(a, b, c, group)
+        middles.add(ab)
+        middles.add(bc)
+        middles.add(ca)
+    }
+
     /** Adds a point that is a node, of the group [group]; 0, for none, is no point that anybody asks for. */
     fun addPoint(node: Int, group: Int) {
         if (group == 0) return
@@ -95,16 +114,39 @@ internal class MeshContents(
         pointGroups.add(group)
     }
 
+    /** Whether there are triangles of six nodes. */
+    val isQuadratic: Boolean get() = middles.size > 0
+
     fun toMesh(): TriMesh {
+        if (isQuadratic) complaint.fail("the triangles have six nodes, and a mesh of three-node ones is wanted")
+        if (lineMiddles.size > 0) complaint.fail("lines have three nodes, triangles too")
+        return corners()
+    }
+
+    /** The mesh of six-node triangles; lines and triangles of fewer nodes are no part of one. */
+    fun toQuadraticMesh(): QuadraticMesh {
+        if (middles.size != triangles.size || middles.size == 0) complaint.fail("not all triangles have six nodes")
+        if (lineMiddles.size != lineGroups.size) complaint.fail("not all lines have three nodes")
+        return QuadraticContents(complaint, corners(), triangles, middles, lines, lineMiddles).toMesh()
+    }
+
+    /** Of the corners alone if the mesh is of the first order; else with the middles among its nodes. */
+    private fun corners(): TriMesh {
         if (triangles.size == 0) complaint.fail("the file has no triangles")
         val newNumbers = IntArray(nodeCount) { -1 }
         for (i in 0 until triangles.size) newNumbers[triangles[i]] = 0
+        for (i in 0 until middles.size) newNumbers[middles[i]] = 0
         var used = 0
         for (node in 0 until nodeCount) {
             if (newNumbers[node] < 0) continue
             xy[2 * used] = xy[2 * node]
             xy[2 * used + 1] = xy[2 * node + 1]
             newNumbers[node] = used++
+        }
+        for (i in 0 until middles.size) middles[i] = newNumbers[middles[i]]
+        for (i in 0 until lineMiddles.size) {
+            lineMiddles[i] = newNumbers[lineMiddles[i]]
+            if (lineMiddles[i] < 0) complaint.fail("a line has a middle that is in no triangle")
         }
         val groups = (0 until lineGroups.size).map { lineGroups[it] }.distinct()
         val keptPoints = (0 until points.size).filter { newNumbers[points[it]] >= 0 }
@@ -114,7 +156,9 @@ internal class MeshContents(
         val lineNodes = IntArray(lines.size) { newNumbers[lines[it]] }
         for (node in lineNodes) if (node < 0) complaint.fail("a line has a node that is in no triangle")
         val lineTags = IntArray(lineGroups.size) { tagOfGroup.getValue(lineGroups[it]) }
-        val elements = IntArray(triangles.size) { newNumbers[triangles[it]] }
+        for (i in 0 until triangles.size) triangles[i] = newNumbers[triangles[i]]
+        for (i in 0 until lines.size) lines[i] = lineNodes[i]
+        val elements = triangles.toArray()
         val pointNodes = IntArray(keptPoints.size) { newNumbers[points[keptPoints[it]]] }
         val pointTags = IntArray(keptPoints.size) { tagNumbers.getValue(nameOf(0, pointGroups[keptPoints[it]])) }
         try {
@@ -155,6 +199,8 @@ internal class MeshContents(
         /** Gmsh's numbers of the kinds of elements. */
         const val LINE = 1
         const val TRIANGLE = 2
+        const val QUADRATIC_LINE = 8
+        const val QUADRATIC_TRIANGLE = 9
         const val POINT = 15
     }
 }

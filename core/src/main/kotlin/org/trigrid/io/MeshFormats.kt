@@ -93,9 +93,36 @@ public object MeshFormats {
      * `.node`. The ending tells which, MSH if it says nothing. Nodes keep the order of the file; nodes of no triangle are
      * left out, clockwise triangles are turned. Lines give their groups to the edges.
      *
-     * @throws FileFormatException if the file is no such mesh; it says where.
+     * @throws FileFormatException if the file is no such mesh, also if its triangles have six nodes; it says where.
      */
     @JvmStatic
     @Throws(IOException::class)
     public fun read(path: Path): TriMesh = (forReading(path) ?: MeshFormat.MSH_22).read(path)
+
+    /**
+     * Reads a mesh of six-node triangles: Gmsh's MSH, VTU or Medit. Nodes keep the order of the file, and middles lie where it
+     * has them.
+     *
+     * @throws FileFormatException if the file is no such mesh, or an element is folded; it says where.
+     * @throws IllegalArgumentException if the format has no such elements, see [MeshFormat.highestOrder].
+     */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun readSecondOrder(path: Path): QuadraticMesh {
+        val format = forReading(path) ?: MeshFormat.MSH_22
+        format.requireSecondOrder()
+        return format.contents(path).toQuadraticMesh()
+    }
+
+    /**
+     * 2 if the triangles of a mesh file have six nodes, else 1. The file is read for it.
+     *
+     * @throws FileFormatException if the file is no mesh; it says where.
+     */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun orderOf(path: Path): Int {
+        val format = forReading(path) ?: MeshFormat.MSH_22
+        return if (format.highestOrder > 1 && format.contents(path).isQuadratic) 2 else 1
+    }
 }

@@ -1,6 +1,5 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.TriMesh
 import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -22,8 +21,8 @@ internal class MshFormat(name: String, title: String, private val writer: MshWri
     MeshFormat(name, title, listOf(".msh"), canRead = true, highestOrder = 2) {
     override fun write(mesh: FileMesh, out: OutputStream) = writer.write(mesh, out)
 
-    override fun read(file: Path): TriMesh {
+    override fun contents(file: Path): MeshContents {
         ReadingMemory.check(file, ReadingMemory.MSH)
-        return MshReader.read(Files.readAllBytes(file), file.toString())
+        return MshReader.contents(Files.readAllBytes(file), file.toString())
     }
 }

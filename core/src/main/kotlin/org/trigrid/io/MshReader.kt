@@ -1,6 +1,6 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.TriMesh
+import org.trigrid.mesh.QuadraticMesh
 
 /** Gmsh's mesh files, versions 2.0 to 2.2 and 4.1, ASCII and binary. */
 internal class MshReader private constructor(private val scanner: MshScanner) {
@@ -11,7 +11,7 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
     /** Physical group of entities by dimension and tag; MSH 4.1 only. */
     private val entityGroups = HashMap<Long, Int>()
 
-    private fun read(): TriMesh {
+    private fun read(): MeshContents {
         if (scanner.atEnd()) scanner.fail("the file is empty")
         scanner.expect("\$MeshFormat")
         readFormat()
@@ -36,7 +36,7 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
                 }
             }
         }
-        return contents.toMesh()
+        return contents
     }
 
     private fun readFormat() {
@@ -141,8 +141,17 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
                 val b = readNode()
                 contents.addTriangle(a, b, readNode(), group)
             }
+            MeshContents.QUADRATIC_LINE -> {
+                val a = readNode()
+                val b = readNode()
+                contents.addQuadraticLine(a, b, readNode(), group)
+            }
+            MeshContents.QUADRATIC_TRIANGLE -> {
+                val nodes = IntArray(QuadraticMesh.NODES_PER_ELEMENT) { readNode() }
+                contents.addQuadraticTriangle(nodes[0], nodes[1], nodes[2], nodes[3], nodes[4], nodes[5], group)
+            }
             MeshContents.POINT -> contents.addPoint(readNode(), group)
-            else -> scanner.fail("elements of type $type cannot be read, only points (15), lines (1) and triangles (2)")
+            else -> scanner.fail("elements of type $type cannot be read, only points (15), lines (1, 8) and triangles (2, 9)")
         }
     }
 
@@ -209,6 +218,6 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
          * @param source name of the file, for messages.
          * @throws org.trigrid.diagnostics.FileFormatException with line and column; in binary parts with the byte.
          */
-        fun read(bytes: ByteArray, source: String): TriMesh = MshReader(MshScanner(bytes, source)).read()
+        fun contents(bytes: ByteArray, source: String): MeshContents = MshReader(MshScanner(bytes, source)).read()
     }
 }

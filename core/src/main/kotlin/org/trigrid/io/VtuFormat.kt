@@ -1,6 +1,5 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.TriMesh
 import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -99,9 +98,9 @@ internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf
 
     private fun nodes(mesh: FileMesh): Long = mesh.elements.size.toLong() + mesh.edges.size + mesh.pointCount
 
-    override fun read(file: Path): TriMesh {
+    override fun contents(file: Path): MeshContents {
         ReadingMemory.check(file, ReadingMemory.VTU)
-        return VtuReader.read(Files.readAllBytes(file), file.toString())
+        return VtuReader.contents(Files.readAllBytes(file), file.toString())
     }
 
     companion object {

@@ -1,7 +1,7 @@
 package org.trigrid.io
 
 import org.trigrid.diagnostics.FileFormatException
-import org.trigrid.mesh.TriMesh
+import org.trigrid.mesh.QuadraticMesh
 import java.io.ByteArrayInputStream
 import java.io.InputStreamReader
 import java.io.SequenceInputStream
@@ -17,7 +17,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
     private val arrays = HashMap<String, VtuArray>()
     private var pieces = 0
 
-    private fun read(): TriMesh {
+    private fun read(): MeshContents {
         var section = ""
         loop@ while (true) {
             when (xml.next()) {
@@ -32,7 +32,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
                 else -> Unit
             }
         }
-        return toMesh()
+        return contents()
     }
 
     /** The text up to the appended numbers, which need not be XML, closed. */
@@ -91,7 +91,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
         coding.appendedStart = from + 1
     }
 
-    private fun toMesh(): TriMesh {
+    private fun contents(): MeshContents {
         val points = numbers("Points")
         val connectivity = numbers("Cells/connectivity")
         val offsets = numbers("Cells/offsets")
@@ -119,15 +119,21 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
                 VtuFormat.VTK_VERTEX -> 1
                 VtuFormat.VTK_LINE -> 2
                 VtuFormat.VTK_TRIANGLE -> 3
-                else -> place.fail("cells of type ${types[cell].toInt()} cannot be read, only lines (3) and triangles (5)")
+                VtuFormat.VTK_QUADRATIC_EDGE -> -QuadraticMesh.NODES_PER_EDGE
+                VtuFormat.VTK_QUADRATIC_TRIANGLE -> -QuadraticMesh.NODES_PER_ELEMENT
+                else -> place.fail("cells of type ${types[cell].toInt()} cannot be read, only lines (3, 21) and triangles (5, 22)")
             }
-            if (nodes.size != expected) place.fail("cell $cell has ${nodes.size} nodes, not $expected")
+            if (nodes.size != Math.abs(expected)) place.fail("cell $cell has ${nodes.size} nodes, not ${Math.abs(expected)}")
             if (expected == 1) contents.addPoint(nodes[0], group(tags, cell))
             if (expected == 2) contents.addLine(nodes[0], nodes[1], group(tags, cell))
             if (expected == 3) contents.addTriangle(nodes[0], nodes[1], nodes[2], group(regions, cell))
+            if (expected == -QuadraticMesh.NODES_PER_EDGE) contents.addQuadraticLine(nodes[0], nodes[1], nodes[2], group(tags, cell))
+            if (expected == -QuadraticMesh.NODES_PER_ELEMENT) {
+                contents.addQuadraticTriangle(nodes[0], nodes[1], nodes[2], nodes[3], nodes[4], nodes[5], group(regions, cell))
+            }
             from = to.toInt()
         }
-        return contents.toMesh()
+        return contents
     }
 
     private fun whole(value: Double, place: Complaint): Int {
@@ -158,7 +164,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
          * @param source name of the file, for messages.
          * @throws FileFormatException with line and column; for appended data those of its array.
          */
-        fun read(bytes: ByteArray, source: String): TriMesh = VtuReader(bytes, source).read()
+        fun contents(bytes: ByteArray, source: String): MeshContents = VtuReader(bytes, source).read()
 
         private fun indexOf(bytes: ByteArray, wanted: ByteArray): Int {
             for (at in 0..bytes.size - wanted.size) {
