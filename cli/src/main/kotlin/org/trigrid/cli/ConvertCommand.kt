@@ -101,11 +101,17 @@ internal class ConvertCommand(private val session: Session) : Callable<Int> {
         ordering.check(meshFormat, spec.commandLine())
         OutputPlace.check(to)
         if (ordering.order == 2) return raise(from, to, meshFormat!!)
-        val mesh = MeshInput.read(from)
-        if (meshFormat != null) MeshFormats.write(mesh, to, meshFormat)
-        else writeDomains(listOf(NamedDomain(mesh.regionName, mesh.outline())), to, asDomain!!)
-        session.terminal.out.println("$to: ${mesh.nodeCount} nodes, ${mesh.elementCount} elements")
-        return ExitCodes.DONE
+        return MeshInput.readEither(from, { mesh ->
+            if (meshFormat != null) MeshFormats.write(mesh, to, meshFormat)
+            else writeDomains(listOf(NamedDomain(mesh.regionName, mesh.outline())), to, asDomain!!)
+            session.terminal.out.println("$to: ${mesh.nodeCount} nodes, ${mesh.elementCount} elements")
+            ExitCodes.DONE
+        }) { mesh ->
+            if (meshFormat == null) throw java.io.IOException("$from has triangles of six nodes; their outline is not written as a domain")
+            MeshOutput.write(mesh, to, meshFormat, spec.commandLine())
+            session.terminal.out.println("$to: ${mesh.nodeCount} nodes, ${mesh.elementCount} elements of six nodes")
+            ExitCodes.DONE
+        }
     }
 
     /** Writes a mesh with elements of six nodes. */

@@ -1,7 +1,9 @@
 package org.trigrid.cli
 
+import org.trigrid.domain.Region
 import org.trigrid.mesh.MeshCheck
 import org.trigrid.mesh.MeshViolation
+import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.mesh.TriMesh
 import org.trigrid.numbering.NumberingMetrics
 import org.trigrid.quality.QualityReport
@@ -21,8 +23,12 @@ internal class InfoCommand(private val session: Session) : Callable<Int> {
     @Parameters(paramLabel = "FILE", description = ["A mesh file: .msh, .vtu, .mesh, .ele."])
     lateinit var file: Path
 
-    override fun call(): Int {
-        val mesh = MeshInput.read(file)
+    override fun call(): Int = MeshInput.readEither(file, ::tell) {
+        session.terminal.out.print(describe(it))
+        ExitCodes.DONE
+    }
+
+    private fun tell(mesh: TriMesh): Int {
         session.terminal.out.print(describe(mesh))
         val violations = MeshCheck.check(mesh)
         for (violation in violations) session.terminal.err.println(line(violation))
@@ -35,10 +41,7 @@ internal class InfoCommand(private val session: Session) : Callable<Int> {
         line("nodes", mesh.nodeCount)
         line("elements", mesh.elementCount)
         line("boundary edges", mesh.boundaryEdgeCount)
-        for (region in mesh.regions) {
-            val count = if (mesh.regions.size == 1) "" else ", ${mesh.elementsIn(region.name).size} elements"
-            line("region", region.name + (if (region.material > 0) " (material ${region.material})" else "") + count)
-        }
+        for (region in mesh.regions) region(region, mesh.elementsIn(region.name).size, mesh.regions.size > 1)
         if (mesh.pointCount > 0) line("points", mesh.pointCount)
         line("tags", mesh.tags.joinToString { it.ifEmpty { "(unnamed)" } })
         line("quality", "min ${Figures.of(quality.minQuality)}, 5 % ${Figures.of(quality.quality05)}, mean ${Figures.of(quality.meanQuality)}")
@@ -50,6 +53,27 @@ internal class InfoCommand(private val session: Session) : Callable<Int> {
         line("six neighbours", Figures.percent(quality.degree6) + " of the interior nodes")
         line("bandwidth", numbering.bandwidth)
         line("profile", numbering.profile)
+    }
+
+    private fun describe(mesh: QuadraticMesh): String = buildString {
+        val numbering = NumberingMetrics.of(mesh)
+        line("nodes", mesh.nodeCount)
+        line("elements", "${mesh.elementCount} of six nodes")
+        line("boundary edges", mesh.boundaryEdgeCount)
+        for ((r, region) in mesh.regions.withIndex()) {
+            region(region, (0 until mesh.elementCount).count { mesh.regionOf(it) == r }, mesh.regions.size > 1)
+        }
+        if (mesh.pointCount > 0) line("points", mesh.pointCount)
+        line("tags", mesh.tags.joinToString { it.ifEmpty { "(unnamed)" } })
+        val jacobian = (0 until mesh.elementCount).minOf { mesh.leastJacobian(it) / (2 * mesh.area(it)) }
+        line("least Jacobian", Figures.of(jacobian) + " of the element's mean")
+        line("bandwidth", numbering.bandwidth)
+        line("profile", numbering.profile)
+    }
+
+    private fun StringBuilder.region(region: Region, elements: Int, isOneOfSeveral: Boolean) {
+        val material = if (region.material > 0) " (material ${region.material})" else ""
+        line("region", region.name + material + if (isOneOfSeveral) ", $elements elements" else "")
     }
 
     private fun StringBuilder.line(name: String, value: Any) {

@@ -3,6 +3,7 @@ package org.trigrid.cli
 import org.trigrid.io.DomainFormats
 import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
+import org.trigrid.mesh.QuadraticMesh
 import picocli.CommandLine
 import picocli.CommandLine.ParameterException
 import java.nio.file.Path
@@ -24,6 +25,12 @@ internal object MeshOutput {
             throw ParameterException(commandLine, "the ending of $fileName is none of ${endings()}; choose with --format")
         }
         return found ?: MeshFormat.MSH_22
+    }
+
+    /** A format without elements of six nodes is a usage error. */
+    fun write(mesh: QuadraticMesh, file: Path, format: MeshFormat, commandLine: CommandLine) {
+        if (format.highestOrder < 2) throw ParameterException(commandLine, "${format.name} has no elements of six nodes")
+        MeshFormats.write(mesh, file, format)
     }
 
     fun names(): String = MeshFormats.all().filter { it.canWrite }.joinToString { it.name }

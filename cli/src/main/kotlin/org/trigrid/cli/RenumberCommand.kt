@@ -1,7 +1,10 @@
 package org.trigrid.cli
 
+import org.trigrid.mesh.QuadraticMesh
+import org.trigrid.mesh.TriMesh
 import org.trigrid.numbering.Numbering
 import org.trigrid.numbering.NumberingMethod
+import org.trigrid.numbering.NumberingMetrics
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Model.CommandSpec
@@ -37,16 +40,29 @@ internal class RenumberCommand(private val session: Session) : Callable<Int> {
         val method = METHODS[numbering]
             ?: throw ParameterException(spec.commandLine(), "--numbering must be best or cuthill-mckee, not $numbering")
         target.check(spec.commandLine())
-        val mesh = ValidMesh(session).read(input) ?: return ExitCodes.INVALID_DOMAIN
+        return MeshInput.readEither(input, { renumber(it, method) }, { renumber(it, method) })
+    }
+
+    private fun renumber(mesh: TriMesh, method: NumberingMethod): Int {
+        if (!ValidMesh(session).isValid(mesh, input)) return ExitCodes.INVALID_DOMAIN
         val renumbered = Numbering.renumber(mesh, method)
         target.write(renumbered, spec.commandLine())
-        val before = Numbering.metrics(mesh)
-        val after = Numbering.metrics(renumbered)
+        tell(mesh.nodeCount, Numbering.metrics(mesh), Numbering.metrics(renumbered))
+        return ExitCodes.DONE
+    }
+
+    private fun renumber(mesh: QuadraticMesh, method: NumberingMethod): Int {
+        val renumbered = Numbering.renumber(mesh, method)
+        target.write(renumbered, spec.commandLine())
+        tell(mesh.nodeCount, NumberingMetrics.of(mesh), NumberingMetrics.of(renumbered))
+        return ExitCodes.DONE
+    }
+
+    private fun tell(nodes: Int, before: NumberingMetrics, after: NumberingMetrics) {
         session.terminal.out.println(
-            "${target.output}: ${mesh.nodeCount} nodes, bandwidth ${before.bandwidth} -> ${after.bandwidth}, " +
+            "${target.output}: $nodes nodes, bandwidth ${before.bandwidth} -> ${after.bandwidth}, " +
                 "profile ${before.profile} -> ${after.profile}",
         )
-        return ExitCodes.DONE
     }
 
     private companion object {
