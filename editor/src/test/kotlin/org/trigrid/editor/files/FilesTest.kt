@@ -115,6 +115,15 @@ class FilesTest {
     }
 
     @Test
+    fun `lists of points may have headings and decimal commas`() {
+        val wanted = doubleArrayOf(0.5, 0.0, 1.5, -0.25, 1.0, 1.0)
+        for (text in listOf("x y\n0.5 0\n1.5 -0.25\n1 1", "x;y\n0,5;0\n1,5;-0,25\n1;1", "0,5\t0\n1,5\t-0,25\n1\t1", "0,5 0,0\n1,5 -0,25\n1,0 1,0")) {
+            assertArrayEquals(wanted, PointList.parse(text)!!.single(), text)
+        }
+        assertNull(PointList.parse("0 0\n1 0\nwords\n1 1"))
+    }
+
+    @Test
     fun `every case of the gallery is a valid domain`() {
         for (case in Gallery.entries) assertEquals(0, DomainCheck.check(case.document().project.toDomain()).size, case.label)
     }
