@@ -319,7 +319,7 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
         val overlay = OverlayPainter(g, transform, width, height, colours)
         val mesh = session.mesh.takeIf { settings.showMesh }
         if (mesh != null) {
-            MeshNumbers(g, transform, width, height, colours).draw(mesh, settings)
+            meshLayer.index(mesh)?.let { MeshNumbers(g, transform, width, height, colours).draw(it, settings) }
             overlay.elements(mesh, markedElements)
         }
         val only = session.selection.onlyShape
