@@ -34,6 +34,14 @@ internal class Dialogs(private val owner: () -> Window?) {
         return alert.showAndWait().orElse(discard) == recover
     }
 
+    /** Whether the file may be written over. */
+    fun askToReplace(name: String): Boolean {
+        val replace = ButtonType("Replace", ButtonBar.ButtonData.YES)
+        val alert = alert(Alert.AlertType.CONFIRMATION, "Replace “$name”?", "There is a file of this name. What it holds is lost if you replace it.")
+        alert.buttonTypes.setAll(replace, ButtonType.CANCEL)
+        return alert.showAndWait().orElse(ButtonType.CANCEL) == replace
+    }
+
     fun tell(heading: String, message: String) {
         alert(Alert.AlertType.ERROR, heading, message).show()
     }

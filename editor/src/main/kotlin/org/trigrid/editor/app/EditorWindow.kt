@@ -64,12 +64,14 @@ internal class EditorWindow(
     private val welcome = WelcomeView(
         preferences, worker, Platform::runLater, { theme }, files::open, ::openCase, files::open, ::startDrawing,
     )
-    private val film = FrontBar(session)
+    private val film = FrontBar(session) { canvas.requestFocus() }
     private val centre = StackPane(canvas, film, welcome)
 
     init {
         root.top = VBox(menus.bar(), toolBar())
         root.left = ToolPalette(session)
+        // Whatever lies on the sheet must not make the window's parts wider than the window.
+        centre.setMinSize(0.0, 0.0)
         root.center = BorderPane(centre)
         root.right = side()
         root.bottom = status
@@ -170,7 +172,8 @@ internal class EditorWindow(
                 if (session.tool !is SelectTool) welcome.isVisible = false
                 canvas.requestFocus()
             }
-            Change.PREVIEW, Change.PROBLEMS, Change.PROGRESS, Change.MESSAGE, Change.PLAYBACK -> Unit
+            Change.PLAYBACK -> if (session.playback?.position == 0) canvas.requestFocus()
+            Change.PREVIEW, Change.PROBLEMS, Change.PROGRESS, Change.MESSAGE -> Unit
         }
     }
 
@@ -330,8 +333,8 @@ internal class EditorWindow(
     companion object {
         private const val WIDTH = 1280.0
         private const val HEIGHT = 820.0
-        private const val LEAST_WIDTH = 760.0
-        private const val LEAST_HEIGHT = 520.0
+        private const val LEAST_WIDTH = 900.0
+        private const val LEAST_HEIGHT = 560.0
         private const val FILM_MARGIN = 14.0
         private val PICTURES = listOf(".png", ".jpg", ".jpeg", ".gif", ".bmp")
 

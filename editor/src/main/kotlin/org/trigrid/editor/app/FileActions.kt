@@ -94,8 +94,12 @@ internal class FileActions(
         chooser.extensionFilters.add(FileChooser.ExtensionFilter("TriGrid project", "*${DocumentFile.ENDING}"))
         chooser.initialFileName = session.file?.fileName?.toString() ?: DocumentFile.projectName(Path.of(session.title))
         val chosen = chooser.showSaveDialog(window())?.toPath() ?: return false
-        return write(DocumentFile.withEnding(chosen))
+        val file = DocumentFile.withEnding(chosen)
+        return mayWrite(chosen, file) && write(file)
     }
+
+    /** Whether [file] may be written where the chooser, which asks about what is there already, was told [chosen]. */
+    fun mayWrite(chosen: Path, file: Path): Boolean = file == chosen || !file.exists() || dialogs.askToReplace(file.fileName.toString())
 
     /** Whether the document may be left: it is saved, or people do not want it. */
     fun mayLeave(): Boolean {
@@ -158,7 +162,7 @@ internal class FileActions(
     }
 
     private fun reason(error: IOException): String = when (error) {
-        is java.nio.file.NoSuchFileException -> "There is no such file."
+        is java.nio.file.NoSuchFileException -> "There is no such file or folder."
         is java.nio.file.AccessDeniedException -> "Access was denied. Choose another folder, or change the rights of this one."
         else -> error.message ?: error.toString()
     }

@@ -81,7 +81,8 @@ internal class MeshRaster(val view: MeshView) {
             if (coarse == null) fill(raster, transform, from, to, colours, ink.fill) else fillGroups(raster, transform, coarse, from, to, colours, ink.fill)
         }
         val meanEdge = Math.sqrt(meanArea) * EDGE_OF_AREA * transform.scale
-        val strength = ((meanEdge - FAINTEST_EDGE) / (STRONGEST_EDGE - FAINTEST_EDGE) * STRONGEST).toInt().coerceIn(0, STRONGEST)
+        val faintest = if (count < MANY) FAINTEST_EDGE else FAINTEST_OF_MANY
+        val strength = ((meanEdge - faintest) / (STRONGEST_EDGE - faintest) * STRONGEST).toInt().coerceIn(0, STRONGEST)
         if (strength == 0) return
         val isPlain = colouring == Colouring.NONE
         val line = if (isPlain) ink.line else ink.lineOnColour
@@ -182,7 +183,11 @@ internal class MeshRaster(val view: MeshView) {
         val GROUPS = intArrayOf(16, 4)
 
         /** Mean edges, in pixels, between which lines come up from nothing. */
-        const val FAINTEST_EDGE = 4.0
+        const val FAINTEST_EDGE = 3.0
+
+        /** Of so many elements as are drawn slowly, the faintest lines are left out. */
+        const val FAINTEST_OF_MANY = 4.0
+        const val MANY = 100_000
         const val STRONGEST_EDGE = 12.0
         const val STRONGEST = 230
 
