@@ -83,6 +83,7 @@ internal class PictureCommand(private val session: Session) : Callable<Int> {
             throw ParameterException(commandLine, "--show domain needs a domain, not a mesh file")
         }
         OutputPlace.check(output)
+        OutputPlace.checkApart(listOf("the input" to input, "the picture" to output), commandLine)
     }
 
     private fun draw(given: DomainInput): Picture {

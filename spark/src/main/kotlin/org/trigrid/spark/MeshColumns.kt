@@ -46,6 +46,7 @@ public object MeshColumns {
     /** Of the mesh, those in the middles of edges counted. */
     public const val NODES: String = "nodes"
 
+    /** Of the mesh. */
     public const val ELEMENTS: String = "elements"
 
     /** x0, y0, x1, y1, …: an array of doubles. */

@@ -92,6 +92,28 @@ class TriGridJobTest {
     }
 
     @Test
+    fun `a table of outlines becomes a table of meshes`() {
+        val table = folder.resolve("parcels.csv")
+        table.writeText(
+            "parcel,shape,owner\n7,\"POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\",A\n" +
+                "8,\"{\"\"type\"\": \"\"Polygon\"\",\n\"\"coordinates\"\": [[[0, 0], [1, 0], [0, 1], [0, 0]]]}\",B\n9,POLYGON,C\n",
+        )
+        val columns = arrayOf("--id-column", "parcel", "--outline-column", "shape")
+        val outcome = run("--in", table, "--table", "csv", *columns, "--out", folder.resolve("out"), "--spacing", "0.25")
+        assertEquals(ExitCodes.DONE, outcome.code, outcome.err)
+        assertTrue("2 meshes of 3 outlines" in outcome.out && "1 failed" in outcome.out, outcome.out)
+        val meshes = LocalSpark.session().read().parquet(folder.resolve("out/meshes").toString()).orderBy("id").collectAsList()
+        assertEquals(listOf("7", "8", "9"), meshes.map { it.getAs<String>("id") })
+        assertEquals(3 * meshes[0].getAs<Int>("elements"), meshes[0].getList<Int>(meshes[0].fieldIndex("elementNodes")).size)
+        assertEquals("FORMAT", meshes[2].getAs<String>("errorKind"))
+        val files = run("--in", folder.resolve("out/meshes"), "--table", "parquet", "--outline-column", "name", "--out", folder.resolve("again"))
+        assertTrue("0 meshes of 3 outlines" in files.out, files.out + files.err)
+        val missing = run("--in", table, "--table", "csv", "--out", folder.resolve("out"))
+        assertEquals(ExitCodes.USAGE, missing.code)
+        assertTrue("no column id; it has parcel, shape, owner" in missing.err, missing.err)
+    }
+
+    @Test
     fun `what is asked wrongly is told before any work`() {
         val wkt = folder.resolve("a.wkt").also { it.writeText("POLYGON ((0 0, 1 0, 0 1, 0 0))") }
         val out = folder.resolve("out")

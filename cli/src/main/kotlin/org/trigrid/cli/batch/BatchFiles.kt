@@ -4,10 +4,12 @@ import org.trigrid.cli.DomainFileNames
 import picocli.CommandLine
 import picocli.CommandLine.ParameterException
 import java.io.IOException
+import java.io.UncheckedIOException
 import java.nio.file.FileSystems
 import java.nio.file.Files
 import java.nio.file.NoSuchFileException
 import java.nio.file.Path
+import java.util.regex.PatternSyntaxException
 import kotlin.io.path.isDirectory
 import kotlin.io.path.isRegularFile
 
@@ -48,14 +50,26 @@ internal class BatchFiles(private val folder: Path, private val ending: String, 
         val fixed = pattern.substring(0, pattern.lastIndexOf('/', start) + 1)
         val base = if (fixed.isEmpty()) HERE else Path.of(fixed)
         if (!base.isDirectory()) throw NoSuchFileException(base.toString())
-        val matcher = FileSystems.getDefault().getPathMatcher("glob:" + pattern.substring(fixed.length))
+        val matcher = try {
+            FileSystems.getDefault().getPathMatcher("glob:" + pattern.substring(fixed.length))
+        } catch (error: PatternSyntaxException) {
+            throw ParameterException(commandLine, "the pattern $pattern makes no sense: ${error.description}")
+        }
         val found = walk(base) { matcher.matches(base.relativize(it)) }
         if (found.isEmpty()) throw NoSuchFileException(pattern)
         return found.map { base to it }
     }
 
-    private fun walk(folder: Path, accepts: (Path) -> Boolean): List<Path> =
-        Files.walk(folder).use { files -> files.filter { it.isRegularFile() && accepts(it) }.sorted().toList() }
+    /** Links to folders are not followed, but for the folder itself. */
+    private fun walk(folder: Path, accepts: (Path) -> Boolean): List<Path> {
+        val real = folder.toRealPath()
+        val found = try {
+            Files.walk(real).use { files -> files.filter { it.isRegularFile() }.toList() }
+        } catch (error: UncheckedIOException) {
+            throw error.cause ?: IOException(error)
+        }
+        return found.map { folder.resolve(real.relativize(it)) }.filter(accepts).sorted()
+    }
 
     private companion object {
         val HERE: Path = Path.of("")

@@ -8,6 +8,7 @@ import org.trigrid.cli.Figures
 import org.trigrid.cli.MeshFigures
 import org.trigrid.cli.NumberedFiles
 import org.trigrid.cli.OrderedMesh
+import org.trigrid.cli.OutputPlace
 import org.trigrid.cli.ReportJson
 import org.trigrid.cli.RunClock
 import org.trigrid.cli.Session
@@ -17,8 +18,11 @@ import org.trigrid.project.DomainInput
 import org.trigrid.project.DomainInputs
 import org.trigrid.project.InputOptions
 import java.io.ByteArrayOutputStream
+import java.io.IOException
 import java.io.PrintStream
+import java.nio.file.FileSystemException
 import java.nio.file.Files
+import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.Executors
 import java.util.concurrent.Semaphore
@@ -46,6 +50,7 @@ internal class BatchRun(
 ) {
     private val progress = BatchProgress(session.terminal, files.size)
     private val fingerprint = Fingerprint(plan.inputOptions, plan.format, plan.order)
+    private val inputs = files.map { OutputPlace.placeOf(it.input) }.toSet()
     private val codes = ConcurrentHashMap.newKeySet<Int>()
 
     /** @return the exit code: of the worst that happened, a defect before a bad file before a faulty domain. */
@@ -94,6 +99,7 @@ internal class BatchRun(
         if (plan.made.has(output, plan.format, made)) return progress.skip(share)
         val clock = RunClock()
         attempt(file, given.name, share) {
+            checkNoInput(output)
             val result = MeshGenerator.generate(given.domain, options) { _, _ -> !session.cancellation.isRequested }
             val ordered = clock.ordering { OrderedMesh.of(result.mesh, plan.order, options.numbering, given::middles) }
             clock.writing {
@@ -103,6 +109,13 @@ internal class BatchRun(
             val written = MadeMeshes.writtenAt(output, plan.format)
             log.write(ReportJson.line(file.input, output, made, written, MeshFigures(given.name, result.report, clock, ordered.quadratic)))
             progress.done(share, result.mesh.elementCount)
+        }
+    }
+
+    /** A format may share its endings with one of domains. */
+    private fun checkNoInput(output: Path) {
+        for (place in plan.format.filesOf(output)) {
+            if (OutputPlace.placeOf(place) in inputs) throw FileSystemException(place.toString(), null, "an input, which the mesh would take the place of")
         }
     }
 
@@ -122,7 +135,11 @@ internal class BatchRun(
 
     private fun <T> failed(file: BatchFile, name: String?, share: Double, code: Int, lines: String): T? {
         codes.add(code)
-        log.write(ReportJson.failure(file.input, name, code, lines.lineSequence().first().removePrefix("${file.input}: ")))
+        try {
+            log.write(ReportJson.failure(file.input, name, code, lines.lineSequence().first().removePrefix("${file.input}: ")))
+        } catch (_: IOException) {
+            // A report that cannot be written is told for the first mesh that it should have had.
+        }
         progress.fail(share, lines)
         return null
     }

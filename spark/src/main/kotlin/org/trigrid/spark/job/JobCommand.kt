@@ -38,8 +38,9 @@ import java.util.concurrent.Callable
     sortOptions = false,
     footer = [
         "",
-        "Example:",
+        "Examples:",
         "  spark-submit --master yarn trigrid-spark-job.jar --in hdfs:///outlines --out hdfs:///meshes --format vtu",
+        "  spark-submit trigrid-spark-job.jar --in parcels.parquet --table parquet --outline-column wkt --out meshes",
         "",
         "Files are named as by 'trigrid mesh --out-dir' and hold the same bytes. OUT/report has one JSON object a line for each mesh",
         "and each failure. The exit code is 0 when the job has run, whatever it met; with --strict that of the command line.",
@@ -69,6 +70,9 @@ internal class JobCommand private constructor(private val out: PrintStream, priv
 
     @Option(names = ["--strict"], description = ["Exit with 1, 3 or 4 if an outline could not be meshed."])
     var isStrict: Boolean = false
+
+    @Mixin
+    lateinit var table: TableArguments
 
     @Mixin
     lateinit var exploding: ExplodingArguments
@@ -105,19 +109,27 @@ internal class JobCommand private constructor(private val out: PrintStream, priv
         return found
     }
 
-    private fun run(spark: SparkSession, plan: MeshPlan, format: MeshFormat): Int {
-        val context = JavaSparkContext.fromSparkContext(spark.sparkContext())
-        val files = try {
-            JobFiles(context.hadoopConfiguration()).of(inputs)
+    private fun run(spark: SparkSession, plan: MeshPlan, meshFormat: MeshFormat): Int {
+        val root = output.trimEnd('/')
+        val report = "$root/$REPORT"
+        val count = try {
+            if (table.kind == null) meshFiles(spark, plan, meshFormat, report)
+            else TableJob(spark, plan, table).run(inputs, meshFormat.takeIf { format != null }, "$root/$MESHES", report)
         } catch (error: IllegalArgumentException) {
             throw ParameterException(spec.commandLine(), error.message)
         }
+        return summary(spark, report, "$count " + if (table.kind == null) "files" else "outlines")
+    }
+
+    /** @return how many files there are. */
+    private fun meshFiles(spark: SparkSession, plan: MeshPlan, format: MeshFormat, report: String): Int {
+        val context = JavaSparkContext.fromSparkContext(spark.sparkContext())
+        val files = JobFiles(context.hadoopConfiguration()).of(inputs)
         val configuration = context.broadcast(SerializableConfiguration(context.hadoopConfiguration()))
         val outlines: JavaRDD<Outline> = context.parallelize(files, slices(files, context.defaultParallelism())).map(FileReading(configuration))
-        val report = output.trimEnd('/') + "/" + REPORT
         MeshPipeline(spark, plan, FilesSink(output, format.name, configuration)).mesh(outlines)
             .write().mode(SaveMode.Overwrite).json(report)
-        return summary(spark, report, files.size)
+        return files.size
     }
 
     /** Small files many a task, large ones few. */
@@ -126,13 +138,13 @@ internal class JobCommand private constructor(private val out: PrintStream, priv
         return bySize.coerceAtLeast(SLICES_PER_CORE * cores.toLong()).coerceAtMost(files.size.toLong()).coerceAtLeast(1).toInt()
     }
 
-    private fun summary(spark: SparkSession, report: String, fileCount: Int): Int {
+    private fun summary(spark: SparkSession, report: String, inputs: String): Int {
         val rows = spark.read().schema(REPORT_SCHEMA).json(report)
         val meshed = rows.filter(functions.col(MeshColumns.ERROR).isNull)
             .agg(functions.count("*"), functions.coalesce(functions.sum(MeshColumns.ELEMENTS), functions.lit(0L))).first()
         val failures = rows.filter(functions.col(MeshColumns.ERROR).isNotNull).groupBy(MeshColumns.ERROR_KIND).count().collectAsList()
         val failed = failures.sumOf { it.getLong(1) }
-        out.println("$output: ${meshed.getLong(0)} meshes of $fileCount files, ${meshed.getLong(1)} elements, $failed failed")
+        out.println("$output: ${meshed.getLong(0)} meshes of $inputs, ${meshed.getLong(1)} elements, $failed failed")
         val codes = failures.map { codeOf(OutlineError.valueOf(it.getString(0))) }
         return if (isStrict) SEVERITY.firstOrNull { it in codes } ?: ExitCodes.DONE else ExitCodes.DONE
     }
@@ -145,6 +157,7 @@ internal class JobCommand private constructor(private val out: PrintStream, priv
 
     companion object {
         private const val REPORT = "report"
+        private const val MESHES = "meshes"
         private const val FILE_COST = 1L shl 20
         private const val BYTES_PER_SLICE = 1L shl 26
         private const val SLICES_PER_CORE = 3
