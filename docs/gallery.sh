@@ -64,6 +64,7 @@ for name in $cases; do
     esac
 done
 ./trigrid picture src-test-data/paper/small-grid.trigrid.json --no-renumber --show numbers -o "$pictures/small-grid-made.svg"
+./trigrid picture src-test-data/regions/stator-slot.trigrid.json -o "$pictures/stator-slot.svg"
 for name in machine-part hand; do draw "$name" classic quality "$name-classic"; done
 
 {

@@ -8,9 +8,14 @@ import org.trigrid.diagnostics.Stage
 import org.trigrid.diagnostics.TooManyElementsException
 import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
+import org.trigrid.domain.LaidDomain
 import org.trigrid.front.FrontListener
 import org.trigrid.front.FrontMesher
+import org.trigrid.front.LaidListener
+import org.trigrid.front.Strategy
+import org.trigrid.geometry.Pose
 import org.trigrid.improve.MeshImprovement
+import org.trigrid.mesh.LaidMesh
 import org.trigrid.mesh.MeshFreezer
 import org.trigrid.mesh.TriMesh
 import org.trigrid.numbering.Numbering
@@ -24,7 +29,7 @@ import org.trigrid.spacing.SizeFields
  * Makes meshes: checks the domain, finds the sizes, advances the front, improves the mesh and renumbers its nodes.
  *
  * Guarantee: every valid domain gets a valid mesh, in which each given node and segment stands exactly as given and no
- * other node lies on the boundary. The same input gives the same mesh, to the last bit, on every machine.
+ * other node lies on the boundary, on an embedded line or on the interface of two regions. The same input gives the same mesh, to the last bit, on every machine.
  * Exception: a domain whose sizes ask for more elements than [MeshOptions.maxElements], or than Java's heap can hold, is
  * refused before meshing.
  *
@@ -76,8 +81,8 @@ public object MeshGenerator {
         checkDomain(domain, run)
         run.begin(Stage.SIZES)
         val sizing = Checkpoint(run, Stage.SIZES)
-        val triangulation = ConstrainedDelaunay.of(domain, sizing)
-        val sizes = SizeFields.create(domain, options.sizeRules(), triangulation, sizing)
+        val triangulation = ConstrainedDelaunay.of(domain.withoutLonePoints(), sizing)
+        val sizes = SizeFields.createWithPoints(domain, options.sizeRules(Pose.AS_GIVEN), triangulation, sizing)
         return SizeFields.estimateElements(triangulation, sizes, sizing)
     }
 
@@ -92,32 +97,35 @@ public object MeshGenerator {
 
         run.begin(Stage.SIZES)
         val sizing = Checkpoint(run, Stage.SIZES)
-        val triangulation = ConstrainedDelaunay.of(domain, sizing)
+        // The paper's rule goes round the boundary as it was given.
+        val laid = if (options.strategy == Strategy.CLASSIC) LaidDomain.asGiven(domain) else LaidDomain.of(domain, sizing)
+        val triangulation = ConstrainedDelaunay.of(laid.domain.withoutLonePoints(), sizing)
         sizing.reach(0.4)
-        val sizes = SizeFields.create(domain, options.sizeRules(), triangulation, sizing)
+        val sizes = SizeFields.createWithPoints(laid.domain, options.sizeRules(laid.pose), triangulation, sizing)
         sizing.reach(0.7)
         val expected = SizeFields.estimateElements(triangulation, sizes, sizing)
         val refusal = WorkLimit(expected, domain.nodeCount).refusal(options.maxElements, Runtime.getRuntime().maxMemory())
         if (refusal != null) throw TooManyElementsException(refusal)
 
         run.begin(Stage.FRONT)
-        val raw = FrontMesher.mesh(domain, sizes, options.strategy, expected, run, listener)
+        val raw = FrontMesher.mesh(laid.domain, sizes, options.strategy, expected, run, listener?.let { LaidListener(laid, it) })
 
         run.begin(Stage.IMPROVE)
         if (options.improve) {
-            MeshImprovement.improve(raw.mesh, options.strategy, options.smoothingTolerance) {
+            MeshImprovement.improve(raw.mesh, options.strategy, options.smoothingTolerance, options.crew()) {
                 if (!run.update(Stage.IMPROVE, it)) throw MeshingCancelledException()
             }
         }
 
         run.begin(Stage.RENUMBER)
         val finishing = Checkpoint(run, Stage.RENUMBER)
+        LaidMesh.takeBack(raw.mesh, laid, domain.xy, finishing)
         val made = MeshFreezer.freeze(raw.mesh, domain, finishing)
         val before = NumberingMetrics.of(made, finishing)
         val mesh = Numbering.renumber(made, options.numbering, finishing)
         val after = if (mesh === made) before else NumberingMetrics.of(mesh, finishing)
         finishing.reach(0.8)
-        val quality = QualityReport.of(mesh, finishing)
+        val quality = QualityReport.of(mesh, finishing, options.crew())
         run.end()
 
         val report = MeshReport(

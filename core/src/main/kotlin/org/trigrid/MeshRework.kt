@@ -8,9 +8,13 @@ import org.trigrid.improve.MeshImprovement
 import org.trigrid.mesh.EdgeMiddles
 import org.trigrid.mesh.EdgeSet
 import org.trigrid.mesh.MeshCheck
+import org.trigrid.mesh.MeshParts
+import org.trigrid.mesh.MeshTopology
 import org.trigrid.mesh.MutableMesh
 import org.trigrid.mesh.NodeKind
 import org.trigrid.mesh.QuadraticMesh
+import org.trigrid.mesh.RegionFlood
+import org.trigrid.mesh.TaggedSides
 import org.trigrid.mesh.TriMesh
 import org.trigrid.mesh.TriMeshFactory
 import org.trigrid.mesh.UniformRefinement
@@ -42,9 +46,12 @@ public object MeshRework {
         MeshImprovement.improve(mutable, Strategy.ROBUST, tolerance) {
             if (!monitor.update(Stage.IMPROVE, it)) throw MeshingCancelledException()
         }
+        val elements = mutable.elements.copyOf(3 * mutable.elementCount)
+        val parts = MeshParts(
+            mesh.regions, regions(fixedFirst, mutable.nodeCount, elements), fixedFirst.parts.points, fixedFirst.parts.pointTags,
+        )
         val improved = TriMeshFactory.of(
-            mutable.xy.copyOf(2 * mutable.nodeCount), mutable.elements.copyOf(3 * mutable.elementCount), fixedFirst.edges,
-            fixedFirst.edgeTags, mesh.tags, mesh.regionName,
+            mutable.xy.copyOf(2 * mutable.nodeCount), elements, fixedFirst.edges, fixedFirst.edgeTags, mesh.tags, parts,
         )
         val before = QualityReport.of(mesh)
         val after = QualityReport.of(improved)
@@ -82,6 +89,19 @@ public object MeshRework {
     @JvmStatic
     public fun secondOrder(mesh: TriMesh, middles: EdgeMiddles): QuadraticMesh =
         Numbering.renumber(QuadraticMesh.of(mesh, middles), NumberingMethod.BEST)
+
+    /** Regions of new elements between the tagged edges of [mesh]. */
+    private fun regions(mesh: TriMesh, nodeCount: Int, elements: IntArray): IntArray {
+        if (mesh.regions.size == 1) return IntArray(0)
+        val before = TaggedSides(mesh)
+        val flood = RegionFlood(
+            MeshTopology.neighbours(nodeCount, elements), TaggedSides(nodeCount, elements, 3, mesh.edges, 2), mesh.taggedEdgeCount,
+        )
+        return flood.regions(
+            { mesh.regionOf(before.leftOf(it) / 3) },
+            { mesh.regionOf(mesh.neighbourOf(before.leftOf(it) / 3, before.leftOf(it) % 3)) },
+        )
+    }
 
     /** New numbers with which given nodes come before others. */
     private fun fixedFirst(mesh: TriMesh): IntArray {

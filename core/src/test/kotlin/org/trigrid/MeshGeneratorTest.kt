@@ -120,7 +120,7 @@ class MeshGeneratorTest {
             for (scale in listOf(1048576.0, 1.0 / 1048576.0)) {
                 val scaled = Domain(
                     DoubleArray(domain.xy.size) { scale * domain.xy[it] },
-                    domain.segments, domain.segmentTags, domain.embedded, domain.tags, domain.regionName,
+                    domain.segments, domain.segmentTags, domain.embedded, domain.tags, domain.regionMap, domain.points,
                 )
                 assertSame(mesh, MeshGenerator.generate(scaled).mesh, scale)
             }

@@ -2,6 +2,7 @@ package org.trigrid
 
 import org.trigrid.domain.Domain
 import org.trigrid.reliability.HostileDomains
+import org.trigrid.reliability.InnerDomains
 import org.trigrid.reliability.LatticeDomains
 import org.trigrid.reliability.MovedDomains
 import org.trigrid.reliability.PathDomains
@@ -28,7 +29,7 @@ internal object RandomDomains {
     val small: List<Family> by lazy { families.filter { it.every < 10 } }
 
     val families: List<Family> = (basic() + HostileDomains.families + LatticeDomains.families + PathDomains.families).let { all ->
-        all + MovedDomains(all.filter { it.every < 10 }).families
+        all + MovedDomains(all.filter { it.every < 10 }).families + InnerDomains(all.filter { it.every < 10 }).families
     }
 
     private fun basic() = listOf(

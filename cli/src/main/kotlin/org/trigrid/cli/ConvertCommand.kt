@@ -2,6 +2,7 @@ package org.trigrid.cli
 
 import org.trigrid.MeshRework
 import org.trigrid.domain.Domain
+import org.trigrid.domain.InnerParts
 import org.trigrid.io.DomainFormat
 import org.trigrid.io.DomainFormats
 import org.trigrid.io.FileFormat
@@ -143,10 +144,13 @@ internal class ConvertCommand(private val session: Session) : Callable<Int> {
         throw java.io.IOException("cannot be written to $to: ${error.message}", error)
     }
 
-    /** Loops of nodes; what a domain has inside, a project cannot hold without its path. */
+    /** Loops of nodes, and what the domains have inside. */
     private fun writeProject(domains: List<NamedDomain>, to: Path) {
         val loops = domains.flatMap { named -> (0 until named.domain.loopCount).map { loop(named.domain, it) } }
-        val project = Project.builder().loops(loops).regionName(domains.first().name).build()
+        val inner = domains.fold(InnerParts.NONE) { all, named -> all.with(InnerParts.of(named.domain)) }
+        val own = domains.first().domain.regions[0]
+        val region = if (inner.markerCount == 0) own.withName(domains.first().name) else own
+        val project = Project.builder().loops(loops).inner(inner).region(region).build()
         ProjectFile.write(to, project)
     }
 

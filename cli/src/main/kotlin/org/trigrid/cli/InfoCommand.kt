@@ -43,7 +43,11 @@ internal class InfoCommand(private val session: Session) : Callable<Int> {
         else line("nodes", "${quadratic.nodeCount}, six an element, ${mesh.nodeCount} of them corners")
         line("elements", mesh.elementCount)
         line("boundary edges", mesh.boundaryEdgeCount)
-        line("region", mesh.regionName)
+        for (region in mesh.regions) {
+            val count = if (mesh.regions.size == 1) "" else ", ${mesh.elementsIn(region.name).size} elements"
+            line("region", region.name + (if (region.material > 0) " (material ${region.material})" else "") + count)
+        }
+        if (mesh.pointCount > 0) line("points", mesh.pointCount)
         line("tags", mesh.tags.joinToString { it.ifEmpty { "(unnamed)" } })
         line("quality", "min ${Figures.of(quality.minQuality)}, 5 % ${Figures.of(quality.quality05)}, mean ${Figures.of(quality.meanQuality)}")
         line(

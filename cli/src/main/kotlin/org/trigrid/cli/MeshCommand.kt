@@ -38,6 +38,8 @@ import java.util.concurrent.Callable
         "  trigrid mesh disc.trigrid.json -o disc.inp --order 2",
         "  trigrid mesh plate.wkt -o plate.vtu --spacing 0.05 --max-size 0.2",
         "  trigrid mesh plate.wkt -o plate.msh --size-source 0.01@0.5,0.4 --size-source 0.05@1,0,1,1",
+        "  trigrid mesh motor.dxf -o motor.msh --region iron=1@0,9 --region copper=2,0.5@4,3,-4,3 --point probe@1,1",
+        "  trigrid mesh soils.geojson -o soils.vtu --join-domains --line drain,0.5@2,3,8,3",
         "  trigrid mesh outlines 'more/*.dxf' --out-dir meshes --report meshes/report.jsonl --resume",
         "",
         "A file with several polygons makes as many meshes: OUT-1.msh, OUT-2.msh, ...",

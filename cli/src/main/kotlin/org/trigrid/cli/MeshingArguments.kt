@@ -54,6 +54,12 @@ class MeshingArguments : Serializable {
     )
     var maxElements: Int? = null
 
+    @Option(
+        names = ["--threads"], paramLabel = "N",
+        description = ["Threads that share the work on a mesh of 150,000 elements or more, > 0; the mesh is the same. Default: 1."],
+    )
+    var threads: Int? = null
+
     @Option(names = ["--no-improve"], description = ["Leave the elements as the front made them."])
     var noImprove: Boolean = false
 
@@ -77,6 +83,7 @@ class MeshingArguments : Serializable {
         if (sizeSources.isNotEmpty()) builder.sizeSources(sizeSources.fold(base.sizeSources, ::withSource))
         strategy?.let { builder.strategy(it) }
         maxElements?.let { builder.maxElements(it) }
+        threads?.let { builder.threads(it) }
         if (noImprove) builder.improve(false)
         if (noRenumber) builder.numbering(NumberingMethod.NONE)
         return builder.build()

@@ -70,7 +70,7 @@ class UsageTest {
     @ParameterizedTest
     @ValueSource(
         strings = [
-            "--spacing=0", "--spacing=NaN", "--spacing=x", "--ratio=2", "--gradation=-1", "--size-source=0.1", "--size-source=0.1@1", "--size-source=0@1,1", "--size-source=0.1@1,x", "--min-size=-1", "--max-size=0",
+            "--spacing=0", "--spacing=NaN", "--spacing=x", "--ratio=2", "--gradation=-1", "--size-source=0.1", "--size-source=0.1@1", "--size-source=0@1,1", "--size-source=0.1@1,x", "--region=a", "--region=@1,1", "--region=a,0@1,1", "--region=a=x@1,1", "--point=1", "--line=1,2", "--line=a,0@1,2,3,4", "--min-size=-1", "--max-size=0",
             "--strategy=best", "--sizes=none", "--format=3.0", "--picture=mesh.gif", "--unit=ell", "--join=-1",
         ],
     )

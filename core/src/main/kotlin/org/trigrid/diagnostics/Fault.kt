@@ -48,6 +48,9 @@ public enum class FaultKind {
     /** A loop with fewer than three nodes, or no area at all. */
     DEGENERATE_LOOP,
 
-    /** An embedded segment lies outside of the domain. */
+    /** An embedded segment or point lies outside of the domain. */
     EMBEDDED_OUTSIDE,
+
+    /** A point that tells a region lies outside, on a segment, or where a point of another region lies too. */
+    REGION_POINT,
 }

@@ -5,7 +5,8 @@ package org.trigrid.domain
  *
  * Nodes are numbered from 0 and each stands for one place; a node may have several segments
  * leaving it where loops touch. Segments come loop by loop; segment `s` runs from [segmentStart] to [segmentEnd].
- * An *embedded* segment has the domain on both of its sides and occurs once, in either direction, after all others.
+ * An *embedded* segment has the domain on both of its sides and occurs once, in either direction, after all others. It may
+ * part one region from another, and is an *interface* then. Nodes of no segment are embedded points and come last.
  *
  * Immutable. A domain may still be faulty: [DomainCheck] finds all faults, meshing refuses a faulty one.
  */
@@ -18,9 +19,22 @@ public class Domain internal constructor(
     /** Per segment: whether the domain lies on both sides. */
     internal val embedded: BooleanArray,
     tags: List<String>,
-    /** Name of the meshed region; a physical group of the mesh file. */
-    @get:JvmName("regionName") public val regionName: String,
+    internal val regionMap: DomainRegions,
+    internal val points: DomainPoints = DomainPoints.NONE,
 ) {
+    /** A domain of one region. */
+    internal constructor(
+        xy: DoubleArray, segments: IntArray, segmentTags: IntArray, embedded: BooleanArray, tags: List<String>, regionName: String,
+    ) : this(xy, segments, segmentTags, embedded, tags, DomainRegions.single(Region.of(regionName)))
+
+    /** The regions of the domain; most domains have one. */
+    @get:JvmName("regions")
+    public val regions: List<Region> get() = regionMap.list
+
+    /** Name of the first region. */
+    @get:JvmName("regionName")
+    public val regionName: String get() = regions[0].name
+
     /** Names of boundary groups; each segment has one of them. */
     @get:JvmName("tags")
     public val tags: List<String> = java.util.List.copyOf(tags)
@@ -31,7 +45,7 @@ public class Domain internal constructor(
     /** First segment of each loop, and [boundaryCount] at the end. */
     private val loopStarts: IntArray = DomainLoops(segments, boundaryCount).starts
 
-    /** Boundary nodes and nodes of embedded segments. */
+    /** Boundary nodes, nodes of embedded segments, and embedded points. */
     @get:JvmName("nodeCount")
     public val nodeCount: Int get() = xy.size / 2
 
@@ -68,6 +82,34 @@ public class Domain internal constructor(
     /** Whether the domain lies on both sides of the segment. */
     public fun isEmbedded(segment: Int): Boolean = embedded[segment]
 
+    /** Index into [regions] of the region on the left of the segment. */
+    public fun regionOnLeft(segment: Int): Int = regionMap.left(segment)
+
+    /** Index into [regions] of the region on the right of the segment; -1 if the segment bounds the domain. */
+    public fun regionOnRight(segment: Int): Int = regionMap.right(segment, embedded[segment])
+
+    /** Whether the segment parts two different regions. */
+    public fun isInterface(segment: Int): Boolean = embedded[segment] && regionOnLeft(segment) != regionOnRight(segment)
+
+    /** Points that were given to be nodes of the mesh; some may be ends of segments too. */
+    @get:JvmName("pointCount")
+    public val pointCount: Int get() = points.nodes.size
+
+    /** The node of a point. */
+    public fun pointNode(point: Int): Int = points.nodes[point]
+
+    /** Index into [tags] of a point's group. */
+    public fun pointTag(point: Int): Int = points.tags[point]
+
+    /** Nodes that are ends of segments: they come before those that are not. */
+    internal val segmentNodeCount: Int = 1 + (segments.maxOrNull() ?: -1)
+
+    /** The domain without its embedded points of no segment; itself if there are none. */
+    internal fun withoutLonePoints(): Domain {
+        if (segmentNodeCount == nodeCount) return this
+        return Domain(xy.copyOf(2 * segmentNodeCount), segments, segmentTags, embedded, tags, regionMap)
+    }
+
     /** The loop's first segment; its others follow, up to the next loop's first. `loopStart(loopCount)` ends the last loop. */
     public fun loopStart(loop: Int): Int = loopStarts[loop]
 
@@ -89,13 +131,28 @@ public class Domain internal constructor(
     /**
      * The same outline with new nodes: each segment is a straight line whose length l is split into
      * n = max(1, round(l / [spacing])) intervals, their lengths in arithmetic progression along the segment. The nodes of this
-     * domain keep their places and numbers.
+     * domain's segments keep their places and numbers; embedded points of no segment come last.
      *
      * @param spacing wanted length of segments, in the unit of the coordinates.
      * @param ratio of a segment's last interval to its first; 1 for equal ones.
      * @throws org.trigrid.diagnostics.InvalidShapeException unless both are finite and above 0 and the nodes can be numbered.
      */
     public fun respaced(spacing: Double, ratio: Double): Domain = Respacing(this, spacing, ratio).respaced()
+
+    /**
+     * The same domain with lines and points embedded, and regions told. A hole in which the place of a region lies is filled.
+     * Parts without such a place keep the region they have.
+     *
+     * @throws IllegalArgumentException if a region has the name of one of this domain's and is another.
+     */
+    public fun with(inner: InnerParts): Domain {
+        if (inner.isEmpty()) return this
+        for (marker in inner.markers) {
+            val isNew = regions.all { it.name != marker.region.name || it == marker.region }
+            require(isNew) { "there is another region called \"${marker.region.name}\"" }
+        }
+        return withLinesAndPoints(inner.lines, inner.points).withRegions(inner.markers)
+    }
 
     public companion object {
         /** Collects loops, holes and embedded lines. */

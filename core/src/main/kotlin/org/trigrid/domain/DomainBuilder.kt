@@ -1,6 +1,7 @@
 package org.trigrid.domain
 
 import java.util.Collections
+import org.trigrid.geometry.IntList
 
 /**
  * Collects loops and embedded lines and makes a [Domain] of them.
@@ -17,7 +18,14 @@ public class DomainBuilder internal constructor() {
     private val tags = LinkedHashMap<String, Int>()
     private val loops = ArrayList<LoopDraft>()
     private val embeddedLines = ArrayList<LoopDraft>()
-    private var regionName = "domain"
+    private val pointNodes = IntList()
+    private val pointTags = IntList()
+    private val markers = ArrayList<RegionMarker>()
+    private val outlines = ArrayList<RegionOutline>()
+
+    /** By name, of markers and outlines. */
+    private val regions = HashMap<String, Region>()
+    private var base = Region.of(Region.DEFAULT_NAME)
 
     /** Adds an outer boundary with the tag "boundary". */
     public fun outer(xy: DoubleArray): DomainBuilder = outer(xy, DEFAULT_TAG)
@@ -70,10 +78,97 @@ public class DomainBuilder internal constructor() {
         embeddedLines.add(LoopDraft(nodes(xy), IntArray(xy.size / 2 - 1) { tagNumber(tag) }, null))
     }
 
-    /** Names the meshed region. Default "domain". */
-    public fun regionName(value: String): DomainBuilder = apply { regionName = value }
+    /**
+     * Adds a closed line inside the domain whose points become nodes and whose segments become edges of the mesh; as it parts
+     * what is inside of it from what is outside, it may be the interface of two regions.
+     *
+     * @throws IllegalArgumentException if [xy] has an odd number of values, or fewer than three points.
+     */
+    public fun embedLoop(xy: DoubleArray, tag: String): DomainBuilder = apply {
+        requirePairs(xy)
+        require(xy.size >= 6) { "an embedded loop needs three points or more" }
+        val nodes = nodes(xy)
+        embeddedLines.add(LoopDraft(nodes + nodes[0], IntArray(xy.size / 2) { tagNumber(tag) }, null))
+    }
 
-    /** The domain; [assemble] also tells which loops were turned. The builder may go on and build again. */
+    /**
+     * Adds a point inside the domain that becomes a node of the mesh. One that is a node already, on the boundary or a line, stays
+     * that node. Domain and mesh know it by its [tag].
+     */
+    public fun embedPoint(x: Double, y: Double, tag: String): DomainBuilder = apply {
+        pointNodes.add(places.numberOf(x, y))
+        pointTags.add(tagNumber(tag))
+    }
+
+    /** Names the region of all parts of the domain that no other is given for. Default "domain". */
+    public fun regionName(value: String): DomainBuilder = baseRegion(Region.of(value))
+
+    /** Sets the region of all parts of the domain that no other is given for. */
+    public fun baseRegion(region: Region): DomainBuilder = apply { base = region }
+
+    /**
+     * Gives the part of the domain round a place to a region: all that can be reached from there without crossing a segment.
+     * Several parts may be given to the same region. A hole that the place lies in is filled: its loop becomes an interface.
+     * A place on a segment, outside of all loops, or in one part with that of another region is a fault.
+     *
+     * @throws IllegalArgumentException if another region has the same name.
+     */
+    public fun region(x: Double, y: Double, region: Region): DomainBuilder = apply {
+        requireNew(region)
+        regions[region.name] = region
+        markers.add(RegionMarker(x, y, region))
+    }
+
+    /** Adds the outline of a part of the domain that belongs to a region, with the tag "boundary". */
+    public fun region(xy: DoubleArray, region: Region): DomainBuilder = region(xy, region, DEFAULT_TAG)
+
+    /**
+     * Adds the outline of a part of the domain that belongs to a region, whatever its direction. Segments that it shares with
+     * other outlines or loops are taken once, with the tag that came first, and become interfaces where different regions meet.
+     * Within an outline there may be holes and other outlines; the smallest one round a place says its region.
+     *
+     * @throws IllegalArgumentException if [xy] has an odd number of values or none, or another region has the same name.
+     */
+    public fun region(xy: DoubleArray, region: Region, tag: String): DomainBuilder = region(xy, region, sameTags(xy, tag))
+
+    /** As the other with a tag for each segment, that of segment i from point i to the next. */
+    public fun region(xy: DoubleArray, region: Region, segmentTags: List<String>): DomainBuilder = apply {
+        requireNew(region)
+        outer(xy, segmentTags)
+        regions[region.name] = region
+        outlines.add(RegionOutline(xy.copyOf(), region))
+    }
+
+    /**
+     * Adds the loops, lines and points of another domain, its parts as regions; sides that it shares with what was added before
+     * are taken once.
+     *
+     * @throws IllegalArgumentException if another region has the name of one of its regions.
+     */
+    public fun add(domain: Domain): DomainBuilder = apply {
+        for (loop in 0 until domain.loopCount) {
+            val segments = domain.loopStart(loop) until domain.loopStart(loop + 1)
+            val nodes = domain.loopNodes(loop)
+            val xy = DoubleArray(2 * nodes.size) { domain.xy[2 * nodes[it / 2] + it % 2] }
+            val names = segments.map { domain.tags[domain.segmentTag(it)] }
+            if (domain.isHole(loop)) hole(xy, names) else region(xy, domain.regions[domain.regionOnLeft(segments.first)], names)
+        }
+        for (s in domain.boundaryCount until domain.segmentCount) {
+            val a = domain.segmentStart(s)
+            val b = domain.segmentEnd(s)
+            embed(doubleArrayOf(domain.x(a), domain.y(a), domain.x(b), domain.y(b)), domain.tags[domain.segmentTag(s)])
+        }
+        for (p in 0 until domain.pointCount) {
+            embedPoint(domain.x(domain.pointNode(p)), domain.y(domain.pointNode(p)), domain.tags[domain.pointTag(p)])
+        }
+        if (domain.regions.size > 1) for (marker in RegionPoints.of(domain)) region(marker.x, marker.y, marker.region)
+    }
+
+    /**
+     * The domain; [assemble] also tells which loops were turned. The builder may go on and build again.
+     *
+     * @throws IllegalArgumentException if a region has the name of the base region and is another.
+     */
     public fun build(): Domain = assemble().domain
 
     /** The domain, and what became of each loop added. */
@@ -90,7 +185,10 @@ public class DomainBuilder internal constructor() {
         for (line in embeddedLines) {
             for (i in line.segmentTags.indices) assembly.embed(line.nodes[i], line.nodes[i + 1], line.segmentTags[i])
         }
-        return DomainAssembly(assembly.toDomain(tags.keys.toList(), regionName), roles, reversed, nesting.parents())
+        requireNew(base)
+        val points = DomainPoints(pointNodes.toArray(), pointTags.toArray())
+        val domain = assembly.toDomain(tags.keys.toList(), points, { it }) { DomainRegions.single(base) }
+        return DomainAssembly(domain.withRegions(markers, outlines), roles, reversed, nesting.parents())
     }
 
     /** Parents are larger than what they contain, so that their roles are known first. */
@@ -109,6 +207,12 @@ public class DomainBuilder internal constructor() {
         require(xy.isNotEmpty()) { "a loop needs points" }
         require(segmentTags.size == xy.size / 2) { "${xy.size / 2} segments have ${segmentTags.size} tags" }
         loops.add(LoopDraft(nodes(xy), IntArray(segmentTags.size) { tagNumber(segmentTags[it]) }, role))
+    }
+
+    /** Regions are told apart by their names. */
+    private fun requireNew(region: Region) {
+        val known = regions[region.name]
+        require(known == null || known == region) { "there is another region called \"${region.name}\"" }
     }
 
     private fun requirePairs(xy: DoubleArray) =

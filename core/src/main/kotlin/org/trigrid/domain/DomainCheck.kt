@@ -28,16 +28,17 @@ public object DomainCheck {
         val faults = FaultList()
         val checked = CheckedDomain(domain, checkpoint)
         checkpoint.reach(0.5)
-        nodeFaults(checked, faults)
-        zeroLengths(checked, faults)
-        val pairs = PairFaults(checked, faults)
-        pairs.find()
+        val pairs = lineFaults(checked, faults)
+        if (!domain.regionMap.isPlanar) return faults.toList()
         val parts = BoundaryParts(checked)
         openWalks(checked, parts, faults)
         degenerateLoops(checked, faults)
         val windings = WindingFaults(checked, parts, pairs.isFaulty, faults)
         windings.find()
-        EmbeddedFaults(checked, windings, pairs.isFaulty, faults).find()
+        val embedded = EmbeddedFaults(checked, windings, pairs.isFaulty, faults)
+        embedded.find()
+        embedded.findPoints()
+        for (fault in domain.regionMap.faults) if (faults.count(fault.kind)) faults.keep(fault)
         return faults.toList()
     }
 
@@ -51,6 +52,19 @@ public object DomainCheck {
     /** What [check] lets pass but will cost element quality; made for valid domains. */
     @JvmStatic
     public fun warnings(domain: Domain): List<DomainWarning> = WarningSearch(CheckedDomain(domain)).find()
+
+    /** Whether nodes and segments are such that what is inside of what cannot be told. */
+    internal fun hasLineFaults(domain: Domain): Boolean {
+        val faults = FaultList()
+        lineFaults(CheckedDomain(domain), faults)
+        return faults.toList().isNotEmpty()
+    }
+
+    private fun lineFaults(checked: CheckedDomain, faults: FaultList): PairFaults {
+        nodeFaults(checked, faults)
+        zeroLengths(checked, faults)
+        return PairFaults(checked, faults).also { it.find() }
+    }
 
     private fun nodeFaults(checked: CheckedDomain, faults: FaultList) {
         val xy = checked.xy

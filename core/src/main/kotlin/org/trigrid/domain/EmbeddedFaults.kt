@@ -2,7 +2,7 @@ package org.trigrid.domain
 
 import org.trigrid.diagnostics.FaultKind
 
-/** Embedded segments that do not lie in the domain. Decided exactly, at an end of each. */
+/** Embedded segments and points that do not lie in the domain, and points on segments. Decided exactly. */
 internal class EmbeddedFaults(
     private val checked: CheckedDomain,
     private val windings: WindingFaults,
@@ -23,6 +23,38 @@ internal class EmbeddedFaults(
                 "embedded segment ${checked.segmentText(t)} at (${xy[2 * a]}, ${xy[2 * a + 1]}) lies outside of the domain"
             }
         }
+    }
+
+    /** Points that are nodes of a segment are no concern; two points at one place have one number. */
+    fun findPoints() {
+        for (node in checked.domain.segmentNodeCount until checked.domain.nodeCount) {
+            checked.checkpoint.pass()
+            if (!checked.isFinite(node) || checked.place[node] != node) continue
+            val segment = segmentAt(node)
+            val x = xy[2 * node]
+            val y = xy[2 * node + 1]
+            if (segment >= 0) {
+                val nodes = intArrayOf(node, checked.nodeAtStart(segment), checked.nodeAtEnd(segment))
+                faults.add(FaultKind.TOUCHING, x, y, nodes) {
+                    "embedded point ${checked.nodeText(node)} lies inside segment ${checked.segmentText(segment)}"
+                }
+            } else if (!windings.isInside(node)) {
+                faults.add(FaultKind.EMBEDDED_OUTSIDE, x, y, intArrayOf(node)) {
+                    "embedded point ${checked.nodeText(node)} lies outside of the domain"
+                }
+            }
+        }
+    }
+
+    /** The first segment that the node lies on, or -1. */
+    private fun segmentAt(node: Int): Int {
+        val x = xy[2 * node]
+        val y = xy[2 * node + 1]
+        var found = -1
+        checked.tree.forEachIn(x, y, x, y) { t ->
+            if ((found < 0 || t < found) && checked.directions.orient(checked.start(t), checked.end(t), node) == 0.0) found = t
+        }
+        return found
     }
 
     private fun isInside(t: Int): Boolean {

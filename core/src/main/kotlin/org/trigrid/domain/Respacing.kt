@@ -13,11 +13,14 @@ internal class Respacing(private val domain: Domain, spacing: Double, ratio: Dou
     fun respaced(): Domain {
         val total = lines.sumOf { intervals(it).toLong() }
         if (total > MOST_SEGMENTS) throw InvalidShapeException("spacing ${traits.spacing} would make $total segments")
-        val coordinates = domain.xy.copyOf(2 * (domain.nodeCount + total.toInt() - domain.segmentCount))
+        val added = total.toInt() - domain.segmentCount
+        val coordinates = domain.xy.copyOf(2 * (domain.nodeCount + added))
+        domain.xy.copyInto(coordinates, 2 * (domain.segmentNodeCount + added), 2 * domain.segmentNodeCount)
         val segments = IntArray(2 * total.toInt())
         val tags = IntArray(total.toInt())
         val embedded = BooleanArray(total.toInt())
-        var node = domain.nodeCount
+        val origin = IntArray(total.toInt())
+        var node = domain.segmentNodeCount
         var made = 0
         for ((s, line) in lines.withIndex()) {
             val inner = 2 * (intervals(line) - 1)
@@ -28,11 +31,16 @@ internal class Respacing(private val domain: Domain, spacing: Double, ratio: Dou
                 segments[2 * made] = from
                 segments[2 * made + 1] = to
                 tags[made] = domain.segmentTag(s)
+                origin[made] = s
                 embedded[made++] = domain.isEmbedded(s)
                 from = to
             }
         }
-        return Domain(coordinates, segments, tags, embedded, domain.tags, domain.regionName)
+        val points = domain.points.nodes.map { if (it < domain.segmentNodeCount) it else it + added }
+        return Domain(
+            coordinates, segments, tags, embedded, domain.tags, domain.regionMap.ofParts(origin),
+            DomainPoints(points.toIntArray(), domain.points.tags),
+        )
     }
 
     private fun intervals(line: DoubleArray): Int = line.size / 2 - 1

@@ -55,17 +55,39 @@ internal class SegmentAssembly(
         embeddedTags.add(tag)
     }
 
-    fun toDomain(tags: List<String>, regionName: String): Domain {
+    fun toDomain(tags: List<String>, regionName: String): Domain =
+        toDomain(tags, DomainPoints.NONE, { it }) { DomainRegions.single(Region.of(regionName)) }
+
+    /**
+     * Nodes of no segment that are [points] come last.
+     *
+     * @param tagsOf makes the segments' tags of what was given in their place, in the domain's order; [regions] the regions.
+     */
+    fun toDomain(
+        tags: List<String>, points: DomainPoints, tagsOf: (IntArray) -> IntArray, regions: (IntArray) -> DomainRegions,
+    ): Domain {
         val all = boundary + embedded.toArray()
-        val isUsed = BooleanArray(xy.size / 2)
-        for (node in all) isUsed[node] = true
-        val newNumber = IntArray(isUsed.size)
+        val newNumber = IntArray(xy.size / 2).also { it.fill(UNUSED) }
+        for (node in all) newNumber[node] = ON_SEGMENT
+        for (node in points.nodes) if (newNumber[node] == UNUSED) newNumber[node] = LONE
         var count = 0
-        for (node in isUsed.indices) if (isUsed[node]) newNumber[node] = count++
+        for (kind in intArrayOf(ON_SEGMENT, LONE)) {
+            for (node in newNumber.indices) if (newNumber[node] == kind) newNumber[node] = count++
+        }
         val coordinates = DoubleArray(2 * count)
-        for (node in isUsed.indices) if (isUsed[node]) xy.copyInto(coordinates, 2 * newNumber[node], 2 * node, 2 * node + 2)
+        for (node in newNumber.indices) {
+            if (newNumber[node] >= 0) xy.copyInto(coordinates, 2 * newNumber[node], 2 * node, 2 * node + 2)
+        }
         for (i in all.indices) all[i] = newNumber[all[i]]
         val isEmbedded = BooleanArray(all.size / 2) { it >= boundaryTags.size }
-        return Domain(coordinates, all, boundaryTags + embeddedTags.toArray(), isEmbedded, tags, regionName)
+        val given = boundaryTags + embeddedTags.toArray()
+        val kept = DomainPoints(IntArray(points.nodes.size) { newNumber[points.nodes[it]] }, points.tags)
+        return Domain(coordinates, all, tagsOf(given), isEmbedded, tags, regions(given), kept)
+    }
+
+    private companion object {
+        const val UNUSED = -1
+        const val ON_SEGMENT = -2
+        const val LONE = -3
     }
 }

@@ -28,7 +28,7 @@ internal class FrontKeys(private val mesh: MutableMesh, private val front: Front
     fun keyOf(edge: Int): Int {
         val c = Math.min(Math.max(lengthClass(edge) - lowest, 0), classes - 1)
         val layer = Math.min(front.layer[edge], LAYERS - 1)
-        val angle = (Math.min(angleAt(edge), angleAt(front.next[edge])) * (ANGLES / 4.0)).toInt()
+        val angle = (Math.min(angleAt(edge), angleAt(front.next[edge])) * (ANGLES / 4.0) + ANGLE_NUDGE).toInt()
         val fails = Math.min(front.fails[edge].toInt(), MAX_FAILS)
         return ((fails * classes + c) * LAYERS + layer) * ANGLES + Math.min(angle, ANGLES - 1)
     }
@@ -40,7 +40,7 @@ internal class FrontKeys(private val mesh: MutableMesh, private val front: Front
         val dx = xy[b] - xy[a]
         val dy = xy[b + 1] - xy[a + 1]
         // Half of the squared length's exponent: scaling a domain by a power of two shifts all classes alike.
-        return Math.getExponent(dx * dx + dy * dy) shr 1
+        return Math.getExponent(LENGTH_NUDGE * (dx * dx + dy * dy)) shr 1
     }
 
     /** Angle inside the domain at the origin of [edge], grown monotonically to 0..4 for 0..360 degrees. */
@@ -62,6 +62,11 @@ internal class FrontKeys(private val mesh: MutableMesh, private val front: Front
     companion object {
         private const val LAYERS = 512
         private const val ANGLES = 16
+
+        // Right angles and lengths of a quarter are common: a little more, and rounding does not part those that are equal.
+        private const val ANGLE_NUDGE = 1e-6
+        private const val LENGTH_NUDGE = 1 + 1e-6
+
         /** An edge refused this often takes the way out. */
         const val MAX_FAILS = 2
     }

@@ -31,6 +31,7 @@ internal object FrontMesher {
         }
         advancer.listener = listener
         advancer.run()
+        PointInsertion(state.mesh).insert(domain.segmentNodeCount until domain.nodeCount)
         return FrontResult(state.mesh, advancer.fallbacks)
     }
 }

@@ -4,7 +4,7 @@ import org.trigrid.mesh.TaggedSides
 import java.io.OutputStream
 
 /**
- * Input files of Abaqus and CalculiX: nodes, elements CPS3 or CPS6 (plane stress), and for each tag a node set, a set of the
+ * Input files of Abaqus and CalculiX: nodes, elements CPS3 or CPS6 (plane stress) in a set for each region, and for each tag a node set, a set of the
  * elements along it and, where it is on the boundary, a surface of their edges.
  */
 internal class AbaqusFormat : MeshFormat("abaqus", "Abaqus and CalculiX input", listOf(".inp"), canRead = false, highestOrder = 2) {
@@ -13,14 +13,20 @@ internal class AbaqusFormat : MeshFormat("abaqus", "Abaqus and CalculiX input", 
         val groups = MeshGroups(mesh, GroupNames.ABAQUS)
         text.line("*HEADING").line("mesh of TriGrid")
         writeNodes(mesh, text)
-        text.text("*ELEMENT, TYPE=CPS").number(mesh.nodesPerElement).text(", ELSET=").line(groups.regionName)
-        for (element in 0 until mesh.elementCount) {
-            text.number(element + 1)
-            for (place in 0 until mesh.nodesPerElement) text.text(", ").number(mesh.nodeOf(element, place) + 1)
-            text.line()
+        for (region in 0 until groups.regionCount) {
+            text.text("*ELEMENT, TYPE=CPS").number(mesh.nodesPerElement).text(", ELSET=").line(groups.regionNames[region])
+            for (element in groups.elements(region)) {
+                text.number(element + 1)
+                for (place in 0 until mesh.nodesPerElement) text.text(", ").number(mesh.nodeOf(element, place) + 1)
+                text.line()
+            }
         }
         val sides = TaggedSides(mesh.nodeCount, mesh.elements, mesh.nodesPerElement, mesh.edges, mesh.nodesPerEdge)
         for (curve in 0 until groups.curveCount) writeSets(mesh, groups, sides, curve, text)
+        for (group in 0 until groups.pointGroupCount) {
+            text.text("*NSET, NSET=").line(groups.pointNames[group])
+            writeNumbers(groups.pointNodes(mesh, group), text)
+        }
         text.flush()
     }
 
@@ -49,7 +55,7 @@ internal class AbaqusFormat : MeshFormat("abaqus", "Abaqus and CalculiX input", 
 
     private fun elementSet(name: String, groups: MeshGroups): String {
         val wanted = name + "_elements"
-        return if (wanted.equals(groups.regionName, ignoreCase = true)) name + "_elements_2" else wanted
+        return if (groups.regionNames.any { wanted.equals(it, ignoreCase = true) }) name + "_elements_2" else wanted
     }
 
     private fun writeNumbers(zeroBased: IntArray, text: TextBuffer) {

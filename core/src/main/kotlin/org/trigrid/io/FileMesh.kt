@@ -1,5 +1,7 @@
 package org.trigrid.io
 
+import org.trigrid.domain.Region
+import org.trigrid.mesh.MeshParts
 import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.mesh.TriMesh
 
@@ -13,13 +15,23 @@ internal class FileMesh private constructor(
     val edgeTags: IntArray,
     val boundaryEdgeCount: Int,
     val tags: List<String>,
-    val regionName: String,
+    private val parts: MeshParts,
 ) {
     val nodesPerElement: Int get() = 3 * order
     val nodesPerEdge: Int get() = order + 1
     val nodeCount: Int get() = xy.size / 2
     val elementCount: Int get() = elements.size / nodesPerElement
     val taggedEdgeCount: Int get() = edgeTags.size
+
+    val regions: List<Region> get() = parts.regions
+    val pointCount: Int get() = parts.points.size
+
+    /** Index into [regions]. */
+    fun regionOf(element: Int): Int = parts.regionOf(element)
+
+    fun pointNode(point: Int): Int = parts.points[point]
+
+    fun pointTag(point: Int): Int = parts.pointTags[point]
 
     fun x(node: Int): Double = xy[2 * node]
 
@@ -33,11 +45,11 @@ internal class FileMesh private constructor(
 
     companion object {
         fun of(mesh: TriMesh): FileMesh = FileMesh(
-            1, mesh.xy, mesh.elements, mesh.edges, mesh.edgeTags, mesh.boundaryEdgeCount, mesh.tags, mesh.regionName,
+            1, mesh.xy, mesh.elements, mesh.edges, mesh.edgeTags, mesh.boundaryEdgeCount, mesh.tags, mesh.parts,
         )
 
         fun of(mesh: QuadraticMesh): FileMesh = FileMesh(
-            2, mesh.xy, mesh.elements, mesh.edges, mesh.edgeTags, mesh.boundaryEdgeCount, mesh.tags, mesh.regionName,
+            2, mesh.xy, mesh.elements, mesh.edges, mesh.edgeTags, mesh.boundaryEdgeCount, mesh.tags, mesh.parts,
         )
     }
 }

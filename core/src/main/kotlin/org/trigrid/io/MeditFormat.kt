@@ -4,16 +4,24 @@ import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Medit's `.mesh`, ASCII, in two dimensions. The reference of an edge is the number of its tag from 1; comments name them. */
+/**
+ * Medit's `.mesh`, ASCII, in two dimensions. The reference of an edge is the number of its tag from 1, that of a triangle the
+ * material number of its region, that of a vertex the number of its point group from 1, 0 for none; comments name them.
+ */
 internal class MeditFormat : MeshFormat("medit", "Medit .mesh, ASCII", listOf(".mesh"), canRead = true, highestOrder = 2) {
     override fun write(mesh: FileMesh, out: OutputStream) {
         val text = TextBuffer(out)
         val groups = MeshGroups(mesh)
         text.line("MeshVersionFormatted 2").line("Dimension 2")
         for (i in 0 until groups.curveCount) text.text("# edges ").number(i + 1).text(": ").line(groups.curveNames[i])
-        text.text("# triangles 1: ").line(groups.regionName)
+        for (r in 0 until groups.regionCount) text.text("# triangles ").number(groups.material(r)).text(": ").line(groups.regionNames[r])
+        for (i in 0 until groups.pointGroupCount) text.text("# vertices ").number(i + 1).text(": ").line(groups.pointNames[i])
         text.line("Vertices").number(mesh.nodeCount).line()
-        for (node in 0 until mesh.nodeCount) text.number(mesh.x(node)).space().number(mesh.y(node)).line(" 0")
+        val references = IntArray(mesh.nodeCount)
+        for (p in 0 until mesh.pointCount) references[mesh.pointNode(p)] = groups.groupOfPoint(p) + 1
+        for (node in 0 until mesh.nodeCount) {
+            text.number(mesh.x(node)).space().number(mesh.y(node)).space().number(references[node]).line()
+        }
         text.line(if (mesh.order == 2) "EdgesP2" else "Edges").number(mesh.taggedEdgeCount).line()
         for (i in 0 until groups.curveCount) {
             for (k in 0 until groups.size(i)) {
@@ -25,7 +33,7 @@ internal class MeditFormat : MeshFormat("medit", "Medit .mesh, ASCII", listOf(".
         text.line(if (mesh.order == 2) "TrianglesP2" else "Triangles").number(mesh.elementCount).line()
         for (element in 0 until mesh.elementCount) {
             for (place in 0 until mesh.nodesPerElement) text.number(mesh.nodeOf(element, place) + 1).space()
-            text.line("1")
+            text.number(groups.material(mesh.regionOf(element))).line()
         }
         text.line("End")
         text.flush()

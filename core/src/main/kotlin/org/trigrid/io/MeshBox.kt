@@ -25,6 +25,12 @@ internal class MeshBox private constructor() {
     companion object {
         fun of(mesh: FileMesh): MeshBox = MeshBox().apply { for (node in 0 until mesh.nodeCount) add(mesh, node) }
 
+        fun ofRegion(mesh: FileMesh, region: Int): MeshBox = MeshBox().apply {
+            for (at in mesh.elements.indices) {
+                if (mesh.regionOf(at / mesh.nodesPerElement) == region) add(mesh, mesh.elements[at])
+            }
+        }
+
         fun ofCurve(mesh: FileMesh, groups: MeshGroups, curve: Int): MeshBox = MeshBox().apply {
             for (k in 0 until groups.size(curve)) {
                 for (place in 0 until mesh.nodesPerEdge) add(mesh, mesh.nodeOn(groups.edge(curve, k), place))

@@ -1,6 +1,8 @@
 package org.trigrid.io
 
+import org.trigrid.domain.Region
 import org.trigrid.geometry.IntList
+import org.trigrid.mesh.MeshParts
 import org.trigrid.mesh.TriMeshFactory
 
 /** Tells that a file is not what its format asks for, with the place where its reader is. */
@@ -27,10 +29,12 @@ internal class MeshContents(
     private val lines = IntList()
     private val lineGroups = IntList()
     private val triangles = IntList()
+    private val triangleGroups = IntList()
 
     /** Between the corners of each triangle; empty where triangles have three nodes. */
     private val middles = IntList()
-    private var surfaceGroup = 0
+    private val points = IntList()
+    private val pointGroups = IntList()
 
     /** Nodes in the order of the file, by their id. */
     private var index: NodeIndex? = null
@@ -83,7 +87,14 @@ internal class MeshContents(
         triangles.add(a)
         triangles.add(b)
         triangles.add(c)
-        if (surfaceGroup == 0) surfaceGroup = group
+        triangleGroups.add(group)
+    }
+
+    /** Adds a point that is a node, of the group [group]; 0, for none, is no point that anybody asks for. */
+    fun addPoint(node: Int, group: Int) {
+        if (group == 0) return
+        points.add(node)
+        pointGroups.add(group)
     }
 
     /** Gives the triangle added last the nodes between its corners, from the one between the first two on. */
@@ -107,24 +118,47 @@ internal class MeshContents(
             newNumbers[node] = used++
         }
         val groups = (0 until lineGroups.size).map { lineGroups[it] }.distinct()
-        val tags = groups.map { nameOf(1, it) }.distinct()
-        val tagOfGroup = groups.associateWith { tags.indexOf(nameOf(1, it)) }
+        val keptPoints = (0 until points.size).filter { newNumbers[points[it]] >= 0 }
+        val tags = (groups.map { nameOf(1, it) } + keptPoints.map { nameOf(0, pointGroups[it]) }).distinct()
+        val tagNumbers = tags.withIndex().associate { it.value to it.index }
+        val tagOfGroup = groups.associateWith { tagNumbers.getValue(nameOf(1, it)) }
         val lineNodes = IntArray(lines.size) { newNumbers[lines[it]] }
         for (node in lineNodes) if (node < 0) complaint.fail("a line has a node that is in no triangle")
         val lineTags = IntArray(lineGroups.size) { tagOfGroup.getValue(lineGroups[it]) }
         val elements = IntArray(triangles.size) { newNumbers[triangles[it]] }
-        val regionName = if (surfaceGroup == 0) "domain" else nameOf(2, surfaceGroup)
+        val pointNodes = IntArray(keptPoints.size) { newNumbers[points[keptPoints[it]]] }
+        val pointTags = IntArray(keptPoints.size) { tagNumbers.getValue(nameOf(0, pointGroups[keptPoints[it]])) }
         try {
-            val corners = TriMeshFactory.of(xy.copyOf(2 * used), elements, lineNodes, lineTags, tags, regionName)
+            val corners = TriMeshFactory.of(xy.copyOf(2 * used), elements, lineNodes, lineTags, tags, parts(pointNodes, pointTags))
             return ReadMesh(corners, quadratic?.toMesh(corners, newNumbers))
         } catch (e: IllegalArgumentException) {
             complaint.fail(e.message ?: "the elements make no mesh")
         }
     }
 
+    /** Regions by their names, in the order of the file; where there are several, the groups' ids are their materials. */
+    private fun parts(pointNodes: IntArray, pointTags: IntArray): MeshParts {
+        val groups = (0 until triangleGroups.size).map { triangleGroups[it] }.distinct()
+        val names = groups.map { regionName(it) }.distinct()
+        if (names.size == 1) return MeshParts(listOf(Region.of(names[0])), IntArray(0), pointNodes, pointTags)
+        val materials = names.map { name -> groups.first { name == regionName(it) } }
+        val regions = names.indices.map { Region.of(names[it]).withMaterial(materials[it]) }
+        val regionOfGroup = groups.associateWith { names.indexOf(regionName(it)) }
+        val elementRegions = IntArray(triangleGroups.size) { regionOfGroup.getValue(triangleGroups[it]) }
+        return MeshParts(java.util.List.copyOf(regions), elementRegions, pointNodes, pointTags)
+    }
+
+    private fun word(dimension: Int) = when (dimension) {
+        0 -> "point "
+        1 -> curveWord
+        else -> regionWord
+    }
+
+    private fun regionName(group: Int): String = if (group == 0) Region.DEFAULT_NAME else nameOf(2, group)
+
     private fun nameOf(dimension: Int, group: Int): String = when {
         group == 0 -> TriMeshFactory.UNNAMED
-        else -> names[key(dimension, group)] ?: ((if (dimension == 1) curveWord else regionWord) + group)
+        else -> names[key(dimension, group)] ?: (word(dimension) + group)
     }
 
     private fun key(dimension: Int, id: Int): Long = (dimension.toLong() shl 32) or (id.toLong() and 0xFFFFFFFFL)

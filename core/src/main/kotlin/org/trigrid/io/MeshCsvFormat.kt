@@ -16,12 +16,12 @@ internal class MeshCsvFormat : MeshFormat(
             for (node in 0 until mesh.nodeCount) text.number(node).text(",").number(mesh.x(node)).text(",").number(mesh.y(node)).line()
         }
         table(file, ".elements.csv") { text ->
-            val region = quoted(mesh.regionName)
+            val regions = mesh.regions.map { quoted(it.name) }
             text.line("element,a,b,c,region")
             for (element in 0 until mesh.elementCount) {
                 text.number(element)
                 for (corner in 0..2) text.text(",").number(mesh.nodeOf(element, corner))
-                text.text(",").utf8(region).line()
+                text.text(",").utf8(regions[mesh.regionOf(element)]).line()
             }
         }
         table(file, ".edges.csv") { text ->

@@ -3,16 +3,28 @@ package org.trigrid.io
 import org.trigrid.mesh.TriMesh
 
 /**
- * The groups of a mesh file: a named curve group for each tag that has edges, then the named regions.
+ * The groups of a mesh file: a named curve group for each tag that has edges, then the named regions, then a named group for
+ * each tag that has points.
  *
- * Ids are above 0 and differ between curves and regions, and so do names: some readers keep one table for all
- * dimensions, and attributes of 0 are refused by others.
+ * Ids are above 0 and differ between groups of all dimensions, and so do names: some readers keep one table for all
+ * dimensions, and attributes of 0 are refused by others. A region's id is its material number where that is its own.
  */
-internal class MeshGroups(mesh: FileMesh, rule: GroupNames = GroupNames.MSH) {
+internal class MeshGroups(private val mesh: FileMesh, rule: GroupNames = GroupNames.MSH) {
     /** Per curve group, the index of its tag in the mesh. */
     val curveTags: IntArray
     val curveNames: List<String>
-    val regionName: String
+    val regionNames: List<String>
+
+    /** Per point group, the index of its tag in the mesh. */
+    val pointTags: IntArray
+    val pointNames: List<String>
+
+    private val curveIds: IntArray
+    private val regionIds: IntArray
+    private val pointIds: IntArray
+
+    /** Per region the number of its material, or one above 0 that no other has. */
+    private val materials: IntArray
 
     /** Tagged edges by group, in their order; those of group i begin at starts[i]. */
     private val edges: IntArray
@@ -21,7 +33,11 @@ internal class MeshGroups(mesh: FileMesh, rule: GroupNames = GroupNames.MSH) {
     constructor(mesh: TriMesh, rule: GroupNames = GroupNames.MSH) : this(FileMesh.of(mesh), rule)
 
     val curveCount: Int get() = curveTags.size
-    val regionId: Int get() = curveCount + 1
+    val regionCount: Int get() = regionNames.size
+    val pointGroupCount: Int get() = pointTags.size
+
+    /** Groups of all dimensions. */
+    val count: Int get() = curveCount + regionCount + pointGroupCount
 
     init {
         val sizes = IntArray(mesh.tags.size)
@@ -33,13 +49,45 @@ internal class MeshGroups(mesh: FileMesh, rule: GroupNames = GroupNames.MSH) {
             groupOfTag[tag] = i
             starts[i + 1] = starts[i] + sizes[tag]
         }
-        val free = starts.copyOf()
+        val place = starts.copyOf()
         edges = IntArray(mesh.taggedEdgeCount)
-        for (edge in edges.indices) edges[free[groupOfTag[mesh.edgeTags[edge]]]++] = edge
+        for (edge in edges.indices) edges[place[groupOfTag[mesh.edgeTags[edge]]]++] = edge
+        pointTags = (0 until mesh.pointCount).map { mesh.pointTag(it) }.distinct().sorted().toIntArray()
         val namer = rule.namer()
         curveNames = curveTags.map { namer.name(mesh.tags[it]) }
-        regionName = namer.name(mesh.regionName)
+        regionNames = mesh.regions.map { namer.name(it.name) }
+        pointNames = pointTags.map { namer.name(mesh.tags[it]) }
+
+        val given = mesh.regions.map { it.material }
+        val free = FreeNumbers(given)
+        curveIds = IntArray(curveCount) { free.next() }
+        regionIds = IntArray(regionCount) { r -> if (given[r] > 0 && given.indexOf(given[r]) == r) given[r] else free.next() }
+        pointIds = IntArray(pointGroupCount) { free.next() }
+        materials = Materials.of(mesh.regions)
     }
+
+    fun curveId(curve: Int): Int = curveIds[curve]
+
+    fun regionId(region: Int): Int = regionIds[region]
+
+    fun pointId(group: Int): Int = pointIds[group]
+
+    fun material(region: Int): Int = materials[region]
+
+    /** Points of a point group. */
+    fun points(group: Int): IntArray = (0 until mesh.pointCount).filter { mesh.pointTag(it) == pointTags[group] }.toIntArray()
+
+    /** Nodes of a point group, ascending. */
+    fun pointNodes(mesh: FileMesh, group: Int): IntArray =
+        points(group).map { mesh.pointNode(it) }.distinct().sorted().toIntArray()
+
+    /** The point group of a point. */
+    fun groupOfPoint(point: Int): Int = pointTags.binarySearch(mesh.pointTag(point))
+
+    /** Elements of a region, ascending. */
+    fun elements(region: Int): IntArray =
+        if (regionCount == 1) IntArray(mesh.elementCount) { it }
+        else (0 until mesh.elementCount).filter { mesh.regionOf(it) == region }.toIntArray()
 
     /** Edges of a curve group. */
     fun size(curve: Int): Int = starts[curve + 1] - starts[curve]

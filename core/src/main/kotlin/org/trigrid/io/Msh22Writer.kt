@@ -14,7 +14,8 @@ internal object Msh22Writer {
             text.number(node + 1).space().number(mesh.x(node)).space().number(mesh.y(node)).text(" 0\n")
         }
         text.line("\$EndNodes")
-        text.line("\$Elements").number(mesh.taggedEdgeCount + mesh.elementCount).line()
+        text.line("\$Elements").number(mesh.pointCount + mesh.taggedEdgeCount + mesh.elementCount).line()
+        writePoints(mesh, groups, text)
         writeLines(mesh, groups, text)
         writeTriangles(mesh, groups, text)
         text.line("\$EndElements")
@@ -22,20 +23,30 @@ internal object Msh22Writer {
 
     /** The same section in both versions. */
     fun writeNames(groups: MeshGroups, text: TextBuffer) {
-        text.line("\$PhysicalNames").number(groups.curveCount + 1).line()
-        for (i in 0 until groups.curveCount) {
-            text.text("1 ").number(i + 1).text(" \"").text(groups.curveNames[i]).text("\"\n")
-        }
-        text.text("2 ").number(groups.regionId).text(" \"").text(groups.regionName).text("\"\n")
+        text.line("\$PhysicalNames").number(groups.count).line()
+        for (i in 0 until groups.pointGroupCount) writeName(0, groups.pointId(i), groups.pointNames[i], text)
+        for (i in 0 until groups.curveCount) writeName(1, groups.curveId(i), groups.curveNames[i], text)
+        for (i in 0 until groups.regionCount) writeName(2, groups.regionId(i), groups.regionNames[i], text)
         text.line("\$EndPhysicalNames")
     }
 
+    private fun writeName(dimension: Int, id: Int, name: String, text: TextBuffer) {
+        text.number(dimension).space().number(id).text(" \"").text(name).text("\"\n")
+    }
+
+    private fun writePoints(mesh: FileMesh, groups: MeshGroups, text: TextBuffer) {
+        for (p in 0 until mesh.pointCount) {
+            text.number(p + 1).space().number(MeshContents.POINT).text(" 2 ").number(groups.pointId(groups.groupOfPoint(p)))
+            text.space().number(p + 1).space().number(mesh.pointNode(p) + 1).line()
+        }
+    }
+
     private fun writeLines(mesh: FileMesh, groups: MeshGroups, text: TextBuffer) {
-        var id = 1
+        var id = mesh.pointCount + 1
         for (i in 0 until groups.curveCount) {
             for (k in 0 until groups.size(i)) {
                 val edge = groups.edge(i, k)
-                text.number(id++).space().number(MshElements.line(mesh)).text(" 2 ").number(i + 1).space().number(i + 1)
+                text.number(id++).space().number(MshElements.line(mesh)).text(" 2 ").number(groups.curveId(i)).space().number(i + 1)
                 for (place in 0 until mesh.nodesPerEdge) text.space().number(mesh.nodeOn(edge, place) + 1)
                 text.line()
             }
@@ -43,10 +54,10 @@ internal object Msh22Writer {
     }
 
     private fun writeTriangles(mesh: FileMesh, groups: MeshGroups, text: TextBuffer) {
-        val first = mesh.taggedEdgeCount + 1
-        val middle = " ${MshElements.triangle(mesh)} 2 ${groups.regionId} 1"
+        val first = mesh.pointCount + mesh.taggedEdgeCount + 1
+        val middles = List(groups.regionCount) { " ${MshElements.triangle(mesh)} 2 ${groups.regionId(it)} ${it + 1}" }
         for (element in 0 until mesh.elementCount) {
-            text.number(first + element).text(middle)
+            text.number(first + element).text(middles[mesh.regionOf(element)])
             for (place in 0 until mesh.nodesPerElement) text.space().number(mesh.nodeOf(element, place) + 1)
             text.line()
         }

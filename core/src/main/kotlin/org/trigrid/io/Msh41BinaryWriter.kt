@@ -12,17 +12,24 @@ internal object Msh41BinaryWriter {
     }
 
     private fun writeEntities(mesh: FileMesh, groups: MeshGroups, out: BinaryBuffer) {
-        out.line("\$Entities").long(0).long(groups.curveCount).long(1).long(0)
+        out.line("\$Entities").long(mesh.pointCount).long(groups.curveCount).long(groups.regionCount).long(0)
+        for (p in 0 until mesh.pointCount) {
+            out.int(p + 1).double(mesh.x(mesh.pointNode(p))).double(mesh.y(mesh.pointNode(p))).double(0.0)
+            out.long(1).int(groups.pointId(groups.groupOfPoint(p)))
+        }
         for (i in 0 until groups.curveCount) {
             out.int(i + 1)
             writeBox(MeshBox.ofCurve(mesh, groups, i), out)
-            out.long(1).int(i + 1).long(0)
+            out.long(1).int(groups.curveId(i)).long(0)
         }
-        out.int(1)
-        writeBox(MeshBox.of(mesh), out)
-        val bounding = Msh41Writer.boundingCurves(mesh, groups)
-        out.long(1).int(groups.regionId).long(bounding.size)
-        for (i in bounding) out.int(i + 1)
+        val bounding = BoundingCurves(mesh, groups)
+        for (region in 0 until groups.regionCount) {
+            out.int(region + 1)
+            writeBox(MeshBox.ofRegion(mesh, region), out)
+            val curves = bounding.of(region)
+            out.long(1).int(groups.regionId(region)).long(curves.size)
+            for (i in curves) out.int(i + 1)
+        }
         out.line("").line("\$EndEntities")
     }
 
@@ -40,9 +47,13 @@ internal object Msh41BinaryWriter {
     }
 
     private fun writeElements(mesh: FileMesh, groups: MeshGroups, out: BinaryBuffer) {
-        val count = mesh.taggedEdgeCount + mesh.elementCount
-        out.line("\$Elements").long(groups.curveCount + 1).long(count).long(minOf(1, count)).long(count)
+        val count = mesh.pointCount + mesh.taggedEdgeCount + mesh.elementCount
+        val blocks = mesh.pointCount + groups.curveCount + groups.regionCount
+        out.line("\$Elements").long(blocks).long(count).long(minOf(1, count)).long(count)
         var id = 1
+        for (p in 0 until mesh.pointCount) {
+            out.int(0).int(p + 1).int(MeshContents.POINT).long(1).long(id++).long(mesh.pointNode(p) + 1)
+        }
         for (i in 0 until groups.curveCount) {
             out.int(1).int(i + 1).int(MshElements.line(mesh)).long(groups.size(i))
             for (k in 0 until groups.size(i)) {
@@ -51,10 +62,13 @@ internal object Msh41BinaryWriter {
                 for (place in 0 until mesh.nodesPerEdge) out.long(mesh.nodeOn(edge, place) + 1)
             }
         }
-        out.int(2).int(1).int(MshElements.triangle(mesh)).long(mesh.elementCount)
-        for (element in 0 until mesh.elementCount) {
-            out.long(id++)
-            for (place in 0 until mesh.nodesPerElement) out.long(mesh.nodeOf(element, place) + 1)
+        for (region in 0 until groups.regionCount) {
+            val elements = groups.elements(region)
+            out.int(2).int(region + 1).int(MshElements.triangle(mesh)).long(elements.size)
+            for (element in elements) {
+                out.long(id++)
+                for (place in 0 until mesh.nodesPerElement) out.long(mesh.nodeOf(element, place) + 1)
+            }
         }
         out.line("").line("\$EndElements")
     }

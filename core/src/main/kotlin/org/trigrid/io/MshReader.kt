@@ -152,7 +152,7 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
                 val next = readNode()
                 contents.addMiddles(middle, next, readNode())
             }
-            MeshContents.POINT -> readNode()
+            MeshContents.POINT -> contents.addPoint(readNode(), group)
             else -> scanner.fail("elements of type $type cannot be read, only points (15), lines (1, 8) and triangles (2, 9)")
         }
     }

@@ -3,7 +3,7 @@ package org.trigrid.io
 import java.io.OutputStream
 
 /**
- * Nastran bulk data: GRID* with fields of 16 characters, CTRIA3 or CTRIA6 with a property id for the region, and for each tag a SET1 of
+ * Nastran bulk data: GRID* with fields of 16 characters, CTRIA3 or CTRIA6 with the material number of its region for a property id, and for each tag a SET1 of
  * its nodes, which a comment names. Of a coordinate as many digits are kept as fit: 15, and 14 below 0.
  */
 internal class NastranFormat : MeshFormat("nastran", "Nastran bulk data", listOf(".bdf", ".nas"), canRead = false, highestOrder = 2) {
@@ -11,7 +11,7 @@ internal class NastranFormat : MeshFormat("nastran", "Nastran bulk data", listOf
         val text = TextBuffer(out)
         val groups = MeshGroups(mesh)
         text.line("$ mesh of TriGrid").line("BEGIN BULK")
-        text.line("$ property 1: ${groups.regionName}")
+        for (r in 0 until groups.regionCount) text.line("$ property ${groups.material(r)}: ${groups.regionNames[r]}")
         val decimal = DecimalText()
         for (node in 0 until mesh.nodeCount) {
             text.text("GRID*   ").text((node + 1).toString().padEnd(LARGE)).text(" ".repeat(LARGE))
@@ -22,13 +22,18 @@ internal class NastranFormat : MeshFormat("nastran", "Nastran bulk data", listOf
         for (element in 0 until mesh.elementCount) {
             text.text(if (mesh.order == 2) "CTRIA6  " else "CTRIA3  ")
             writeSmall(element + 1, text)
-            writeSmall(1, text)
+            writeSmall(groups.material(mesh.regionOf(element)), text)
             for (place in 0 until mesh.nodesPerElement) writeSmall(mesh.nodeOf(element, place) + 1, text)
             text.line()
         }
         for (curve in 0 until groups.curveCount) {
             text.line("$ set ${curve + 1}: ${groups.curveNames[curve]}")
             writeSet(curve + 1, groups.nodes(mesh, curve), text)
+        }
+        for (group in 0 until groups.pointGroupCount) {
+            val id = groups.curveCount + group + 1
+            text.line("$ set $id: ${groups.pointNames[group]}")
+            writeSet(id, groups.pointNodes(mesh, group), text)
         }
         text.line("ENDDATA")
         text.flush()

@@ -1,5 +1,9 @@
 package org.trigrid.io
 
+import org.trigrid.domain.Domain
+import org.trigrid.domain.Region
+import org.trigrid.domain.RegionPoints
+
 /** Triangle's `.poly`, with its points inline: of one domain, tags as markers from 1, which comments name. */
 internal class PolyFormat : DomainFormat("poly", "Triangle .poly", listOf(".poly"), canWrite = true) {
     override fun looksLike(first: String) = first[0].isDigit()
@@ -19,9 +23,29 @@ internal class PolyFormat : DomainFormat("poly", "Triangle .poly", listOf(".poly
             text.space().number(domain.segmentTag(s) + 1).line()
         }
         writeHoles(HolePoints.of(domain), text)
+        writeRegions(domain, text)
     }
 
     companion object {
+        /** Triangle's area of an equilateral element of side h is this part of h squared. */
+        const val AREA_OF_SQUARE = 0.4330127018922193
+
+        /** With a point in each part; nothing for a domain of one region without a material and a largest size. */
+        fun writeRegions(domain: Domain, text: TextBuffer) {
+            val isPlain = domain.regions.size == 1 && domain.regions[0] == Region.of(domain.regions[0].name)
+            if (isPlain) return
+            val materials = Materials.of(domain.regions)
+            val markers = RegionPoints.of(domain)
+            for ((r, region) in domain.regions.withIndex()) text.text("# region ").number(materials[r]).text(": ").utf8(region.name).line()
+            text.number(markers.size).line()
+            for ((i, marker) in markers.withIndex()) {
+                val size = marker.region.maxSize
+                text.number(i + 1).space().number(marker.x).space().number(marker.y)
+                text.space().number(materials[domain.regions.indexOf(marker.region)]).space()
+                text.number(if (size == Double.POSITIVE_INFINITY) -1.0 else AREA_OF_SQUARE * size * size).line()
+            }
+        }
+
         /** @param holes x0, y0, … */
         fun writeHoles(holes: DoubleArray, text: TextBuffer) {
             text.number(holes.size / 2).line()

@@ -2,6 +2,7 @@ package org.trigrid.io
 
 import org.trigrid.geometry.IntList
 import org.trigrid.mesh.EdgeNumbers
+import org.trigrid.mesh.MeshParts
 import org.trigrid.mesh.MeshTopology
 import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.mesh.TaggedSides
@@ -39,9 +40,10 @@ internal class QuadraticContents(
                 else -> newNumbers[middleOf[numbers.of(sides.leftOf(edge))]]
             }
         }
-        return QuadraticMesh(
-            places(newNumbers), elements, edges, corners.edgeTags, corners.boundaryEdgeCount, corners.tags, corners.regionName, 0,
-        )
+        val given = corners.parts
+        val points = IntArray(given.points.size) { newNumbers[fileNodes[given.points[it]]] }
+        val parts = MeshParts(given.regions, given.elementRegions, points, given.pointTags)
+        return QuadraticMesh(places(newNumbers), elements, edges, corners.edgeTags, corners.boundaryEdgeCount, corners.tags, parts, 0)
     }
 
     /** The node of the file in the middle of each edge: one only, and that of no other edge, nor a corner. */

@@ -6,8 +6,8 @@ import java.nio.file.Path
 
 /**
  * The files of Triangle (Shewchuk 1996): `.node`, `.ele`, `.edge` with all edges, and `.poly` with the tagged ones and a point in
- * each hole. Numbers count from 1; the marker of an edge is the number of its tag from 1, 0 for those without, and comments name
- * the tags.
+ * each hole. Numbers count from 1; the marker of an edge is the number of its tag from 1, 0 for those without, the attribute of
+ * an element the material number of its region, and comments name them.
  */
 internal class TriangleFormat : MeshFormat(
     "triangle", "Triangle .node, .ele, .edge, .poly", listOf(".ele", ".node", ".edge", ".poly"), canRead = true, isSingleFile = false,
@@ -18,7 +18,7 @@ internal class TriangleFormat : MeshFormat(
         val groups = MeshGroups(mesh)
         val markers = EdgeMarkers(mesh)
         part(file, ".node") { writeNodes(mesh, markers, it) }
-        part(file, ".ele") { writeElements(mesh, it) }
+        part(file, ".ele") { writeElements(mesh, groups, it) }
         part(file, ".edge") { writeEdges(mesh, groups, markers, it) }
         part(file, ".poly") { writePoly(mesh, groups, it) }
     }
@@ -34,12 +34,15 @@ internal class TriangleFormat : MeshFormat(
         }
     }
 
-    private fun writeElements(mesh: TriMesh, text: TextBuffer) {
+    private fun writeElements(mesh: TriMesh, groups: MeshGroups, text: TextBuffer) {
+        for (r in 0 until groups.regionCount) {
+            text.text("# attribute ").number(groups.material(r)).text(": ").line(groups.regionNames[r])
+        }
         text.number(mesh.elementCount).line(" 3 1")
         for (element in 0 until mesh.elementCount) {
             text.number(element + 1)
             for (corner in 0..2) text.space().number(mesh.nodeOf(element, corner) + 1)
-            text.line(" 1")
+            text.space().number(groups.material(mesh.regionOf(element))).line()
         }
     }
 
@@ -65,7 +68,9 @@ internal class TriangleFormat : MeshFormat(
                 text.space().number(groups.curveTags[curve] + 1).line()
             }
         }
-        PolyFormat.writeHoles(HolePoints.of(mesh.outline()), text)
+        val outline = mesh.outline()
+        PolyFormat.writeHoles(HolePoints.of(outline), text)
+        PolyFormat.writeRegions(outline, text)
     }
 
     private fun writeNames(groups: MeshGroups, text: TextBuffer) {
@@ -88,6 +93,7 @@ private class EdgeMarkers(mesh: TriMesh) {
     private val mesh = mesh
 
     init {
+        for (p in 0 until mesh.pointCount) nodeMarkers[mesh.pointNode(p)] = mesh.pointTag(p) + 1
         for (edge in mesh.taggedEdgeCount - 1 downTo 0) {
             val low = minOf(mesh.edgeStart(edge), mesh.edgeEnd(edge))
             next[edge] = first[low]

@@ -6,15 +6,15 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * VTK's XML unstructured grid, numbers appended as raw binary: triangles, then the tagged edges as lines. The cell arrays
+ * VTK's XML unstructured grid, numbers appended as raw binary: triangles, then the tagged edges as lines, then points as vertices. The cell arrays
  * `region` and `tag` number the groups from 1, 0 for none; the field arrays `region_names` and `tag_names` hold their names,
  * one a line.
  */
 internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf(".vtu"), canRead = true, highestOrder = 2) {
     override fun write(mesh: FileMesh, out: OutputStream) {
         val groups = MeshGroups(mesh)
-        val curveNames = groups.curveNames.joinToString("\n").toByteArray(Charsets.US_ASCII)
-        val regionNames = groups.regionName.toByteArray(Charsets.US_ASCII)
+        val curveNames = (groups.curveNames + groups.pointNames).joinToString("\n").toByteArray(Charsets.US_ASCII)
+        val regionNames = groups.regionNames.joinToString("\n").toByteArray(Charsets.US_ASCII)
         val binary = BinaryBuffer(out)
         writeHeader(mesh, curveNames.size, regionNames.size, binary)
         writeBytes(regionNames, binary)
@@ -27,8 +27,8 @@ internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf
     }
 
     private fun writeHeader(mesh: FileMesh, curveNames: Int, regionNames: Int, out: BinaryBuffer) {
-        val cells = mesh.elementCount + mesh.taggedEdgeCount
-        val nodes = mesh.elements.size.toLong() + mesh.edges.size
+        val cells = cells(mesh)
+        val nodes = nodes(mesh)
         var offset = 0L
         fun array(type: String, name: String, bytes: Long, more: String = "") {
             out.line("        <DataArray type=\"$type\" Name=\"$name\"$more format=\"appended\" offset=\"$offset\"/>")
@@ -64,8 +64,8 @@ internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf
     }
 
     private fun writeCells(mesh: FileMesh, groups: MeshGroups, out: BinaryBuffer) {
-        val cells = mesh.elementCount + mesh.taggedEdgeCount
-        out.long(4L * (mesh.elements.size.toLong() + mesh.edges.size))
+        val cells = cells(mesh)
+        out.long(4L * nodes(mesh))
         for (node in mesh.elements) out.int(node)
         for (curve in 0 until groups.curveCount) {
             for (k in 0 until groups.size(curve)) {
@@ -73,23 +73,31 @@ internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf
                 for (place in 0 until mesh.nodesPerEdge) out.int(mesh.nodeOn(edge, place))
             }
         }
+        for (p in 0 until mesh.pointCount) out.int(mesh.pointNode(p))
         out.long(4L * cells)
         for (element in 1..mesh.elementCount) out.int(mesh.nodesPerElement * element)
         for (edge in 1..mesh.taggedEdgeCount) out.int(mesh.elements.size + mesh.nodesPerEdge * edge)
+        for (p in 1..mesh.pointCount) out.int(mesh.elements.size + mesh.edges.size + p)
         out.long(cells)
         repeat(mesh.elementCount) { out.byte(if (mesh.order == 2) VTK_QUADRATIC_TRIANGLE else VTK_TRIANGLE) }
         repeat(mesh.taggedEdgeCount) { out.byte(if (mesh.order == 2) VTK_QUADRATIC_EDGE else VTK_LINE) }
+        repeat(mesh.pointCount) { out.byte(VTK_VERTEX) }
     }
 
     private fun writeGroups(mesh: FileMesh, groups: MeshGroups, out: BinaryBuffer) {
-        val bytes = 4L * (mesh.elementCount + mesh.taggedEdgeCount)
+        val bytes = 4L * cells(mesh)
         out.long(bytes)
-        repeat(mesh.elementCount) { out.int(1) }
-        repeat(mesh.taggedEdgeCount) { out.int(0) }
+        for (element in 0 until mesh.elementCount) out.int(mesh.regionOf(element) + 1)
+        repeat(mesh.taggedEdgeCount + mesh.pointCount) { out.int(0) }
         out.long(bytes)
         repeat(mesh.elementCount) { out.int(0) }
         for (curve in 0 until groups.curveCount) repeat(groups.size(curve)) { out.int(curve + 1) }
+        for (p in 0 until mesh.pointCount) out.int(groups.curveCount + groups.groupOfPoint(p) + 1)
     }
+
+    private fun cells(mesh: FileMesh): Int = mesh.elementCount + mesh.taggedEdgeCount + mesh.pointCount
+
+    private fun nodes(mesh: FileMesh): Long = mesh.elements.size.toLong() + mesh.edges.size + mesh.pointCount
 
     override fun readEither(file: Path): ReadMesh {
         ReadingMemory.check(file, ReadingMemory.VTU)

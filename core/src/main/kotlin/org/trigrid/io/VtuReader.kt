@@ -99,6 +99,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
         if (points.size % 3 != 0) arrays.getValue("Points").complaint.fail("points must have three coordinates each")
         if (offsets.size != types.size) place.fail("${types.size} types for ${offsets.size} cells")
         val contents = MeshContents(place, "tag_", "region_")
+        readNames(contents, "FieldData/tag_names", 0)
         readNames(contents, "FieldData/tag_names", 1)
         readNames(contents, "FieldData/region_names", 2)
         contents.expectNodes(points.size / 3)
@@ -122,6 +123,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
             }
             if (nodes.size != expected) place.fail("cell $cell has ${nodes.size} nodes, not $expected")
             val isLine = expected == 2 || types[cell].toInt() == VtuFormat.VTK_QUADRATIC_EDGE
+            if (expected == 1) contents.addPoint(nodes[0], group(tags, cell))
             if (isLine) contents.addLine(nodes[0], nodes[1], group(tags, cell))
             else if (expected >= 3) contents.addTriangle(nodes[0], nodes[1], nodes[2], group(regions, cell))
             if (expected == 6) contents.addMiddles(nodes[3], nodes[4], nodes[5])

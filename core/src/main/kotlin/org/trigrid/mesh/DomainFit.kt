@@ -11,6 +11,8 @@ internal class DomainFit(private val mesh: TriMesh, private val domain: Domain, 
         checkNodes()
         checkBoundary()
         checkEmbedded()
+        checkPoints()
+        checkRegions()
         checkArea()
     }
 
@@ -80,6 +82,43 @@ internal class DomainFit(private val mesh: TriMesh, private val domain: Domain, 
                 checkTag(a, b, tag, segment)
             }
         }
+    }
+
+    private fun checkPoints() {
+        val points = HashSet<Pair<Int, String>>()
+        for (p in 0 until mesh.pointCount) points.add(mesh.pointNode(p) to mesh.tags[mesh.pointTag(p)])
+        for (p in 0 until domain.pointCount) {
+            val node = meshNodes[domain.pointNode(p)]
+            val tag = domain.tags[domain.pointTag(p)]
+            if (node >= 0 && node to tag !in points) found.atNode(MeshViolationKind.GIVEN_NODE, node, "is no point of the group '$tag'")
+        }
+    }
+
+    /** On both sides of every segment; between segments [RegionCheck] looks that nothing changes. */
+    private fun checkRegions() {
+        if (domain.regions.size == 1 && mesh.regions.size == 1) {
+            if (domain.regions[0].name == mesh.regions[0].name) return
+        }
+        val sides = TaggedSides(mesh)
+        val edges = HashMap<Long, Int>()
+        for (edge in 0 until mesh.taggedEdgeCount) edges[directed(mesh.edgeStart(edge), mesh.edgeEnd(edge))] = edge
+        for (segment in 0 until domain.segmentCount) {
+            val a = meshNodes[domain.segmentStart(segment)]
+            val b = meshNodes[domain.segmentEnd(segment)]
+            val same = edges[directed(a, b)]
+            val edge = same ?: edges[directed(b, a)] ?: continue
+            val half = sides.leftOf(edge)
+            val left = if (same != null) domain.regionOnLeft(segment) else domain.regionOnRight(segment)
+            val right = if (same != null) domain.regionOnRight(segment) else domain.regionOnLeft(segment)
+            checkRegion(half / 3, left, a, b)
+            if (mesh.neighbours[half] >= 0) checkRegion(mesh.neighbours[half], right, a, b)
+        }
+    }
+
+    private fun checkRegion(element: Int, wanted: Int, a: Int, b: Int) {
+        val actual = mesh.regions.getOrNull(mesh.regionOf(element))?.name
+        val name = domain.regions.getOrNull(wanted)?.name
+        if (actual != name) found.atEdge(MeshViolationKind.WRONG_REGION, a, b, "has region '$actual' beside it, its segment has '$name'")
     }
 
     private fun checkTag(a: Int, b: Int, tag: Int, segment: Int) {

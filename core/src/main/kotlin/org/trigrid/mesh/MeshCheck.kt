@@ -6,7 +6,8 @@ import org.trigrid.domain.Domain
  * Proves a mesh valid, or names what is wrong with it and where. Takes linear time.
  *
  * With a domain the proof is whole: when every element is positive and the boundary of their sum is that of the domain,
- * then each point of the domain lies in exactly one element. Signs of areas are exact.
+ * then each point of the domain lies in exactly one element; and when regions change at tagged edges only, and are right on
+ * both sides of each, then they are right everywhere. Signs of areas are exact.
  */
 public object MeshCheck {
     /** No more violations than this are described; a mesh with that many is broken as a whole. */
@@ -44,6 +45,7 @@ public object MeshCheck {
         conformity.checkEdges()
         val sound = conformity.checkNeighbours()
         TaggedEdgeCheck(mesh, found).check()
+        if (sound) RegionCheck(mesh, found).check()
         if (sound && found.isEmpty) EulerCheck(mesh, found).check()
         return sound
     }

@@ -33,7 +33,8 @@ internal object MeshRenumbering {
             }
         }
         return TriMesh(
-            xy, elements, neighbours, kinds, edges, mesh.edgeTags, mesh.boundaryEdgeCount, mesh.tags, mesh.regionName,
+            xy, elements, neighbours, kinds, edges, mesh.edgeTags, mesh.boundaryEdgeCount, mesh.tags,
+            mesh.parts.renumbered(newNumbers, place),
         )
     }
 
@@ -47,7 +48,8 @@ internal object MeshRenumbering {
         for (at in elements.indices) elements[width * place[at / width] + at % width] = newNumbers[mesh.elements[at]]
         val edges = IntArray(mesh.edges.size) { newNumbers[mesh.edges[it]] }
         return QuadraticMesh(
-            xy, elements, edges, mesh.edgeTags, mesh.boundaryEdgeCount, mesh.tags, mesh.regionName, mesh.straightenedEdgeCount,
+            xy, elements, edges, mesh.edgeTags, mesh.boundaryEdgeCount, mesh.tags, mesh.parts.renumbered(newNumbers, place),
+            mesh.straightenedEdgeCount,
         )
     }
 

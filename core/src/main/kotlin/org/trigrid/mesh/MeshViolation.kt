@@ -52,4 +52,7 @@ public enum class MeshViolationKind {
 
     /** The elements do not cover the area of the domain. */
     AREA,
+
+    /** An element is in no region or not in the one that the domain has there, or no tagged edge parts it from another region. */
+    WRONG_REGION,
 }

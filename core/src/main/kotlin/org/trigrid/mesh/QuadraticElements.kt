@@ -37,7 +37,7 @@ internal class QuadraticElements(private val mesh: TriMesh, private val middles:
             }
         }
         return QuadraticMesh(
-            xy, elements(), edges, mesh.edgeTags, mesh.boundaryEdgeCount, mesh.tags, mesh.regionName, steps.count { it > 0 },
+            xy, elements(), edges, mesh.edgeTags, mesh.boundaryEdgeCount, mesh.tags, mesh.parts, steps.count { it > 0 },
         )
     }
 

@@ -1,6 +1,7 @@
 package org.trigrid.mesh
 
 import java.util.BitSet
+import org.trigrid.domain.Region
 
 /**
  * A mesh of triangles with six nodes (second order), immutable.
@@ -27,12 +28,33 @@ public class QuadraticMesh internal constructor(
     internal val edgeTags: IntArray,
     /** Tagged edges from this one on are embedded, not boundary. */
     @get:JvmName("boundaryEdgeCount") public val boundaryEdgeCount: Int,
-    /** Names of the edge groups. */
+    /** Names of the groups of edges and points. */
     @get:JvmName("tags") public val tags: List<String>,
-    @get:JvmName("regionName") public val regionName: String,
+    internal val parts: MeshParts,
     /** Tagged edges whose middle is not where it was asked to be but nearer to the straight one, as the element would have folded. */
     @get:JvmName("straightenedEdgeCount") public val straightenedEdgeCount: Int,
 ) {
+    /** The regions that elements belong to; most meshes have one. */
+    @get:JvmName("regions")
+    public val regions: List<Region> get() = parts.regions
+
+    /** Name of the first region. */
+    @get:JvmName("regionName")
+    public val regionName: String get() = regions[0].name
+
+    /** Index into [regions] of the region of an element. */
+    public fun regionOf(element: Int): Int = parts.regionOf(element)
+
+    /** Points that were given to be nodes. */
+    @get:JvmName("pointCount")
+    public val pointCount: Int get() = parts.points.size
+
+    /** The node of a point that was given. */
+    public fun pointNode(point: Int): Int = parts.points[point]
+
+    /** Index into [tags] of a point's group. */
+    public fun pointTag(point: Int): Int = parts.pointTags[point]
+
     /** Corners and middles together. */
     @get:JvmName("nodeCount")
     public val nodeCount: Int get() = xy.size / 2
@@ -110,11 +132,12 @@ public class QuadraticMesh internal constructor(
      */
     public fun renumbered(newNumbers: IntArray): QuadraticMesh = MeshRenumbering.apply(this, newNumbers)
 
-    /** Nodes on the edges of group [tag], middles too, ascending; for boundary conditions. Empty for an unknown name. */
+    /** Nodes on the edges of group [tag] and its points, middles too, ascending; for boundary conditions. Empty for an unknown name. */
     public fun nodesOn(tag: String): IntArray {
         val index = tags.indexOf(tag)
         val on = BitSet(nodeCount)
         for (at in edges.indices) if (edgeTags[at / NODES_PER_EDGE] == index) on.set(edges[at])
+        for (p in parts.points.indices) if (parts.pointTags[p] == index) on.set(parts.points[p])
         return on.stream().toArray()
     }
 

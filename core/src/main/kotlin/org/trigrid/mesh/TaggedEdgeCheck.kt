@@ -53,7 +53,7 @@ internal class TaggedEdgeCheck(private val mesh: TriMesh, private val found: Vio
     }
 
     private fun checkKinds() {
-        val expected = TriMeshFactory.kinds(mesh.nodeCount, mesh.edges, mesh.boundaryEdgeCount)
+        val expected = TriMeshFactory.kinds(mesh.nodeCount, mesh.edges, mesh.boundaryEdgeCount, mesh.parts.points)
         for (i in boundary) expected[i] = NodeKind.BOUNDARY.code
         for (node in expected.indices) {
             val kind = mesh.kinds[node]

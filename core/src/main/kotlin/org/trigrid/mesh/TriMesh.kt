@@ -1,6 +1,7 @@
 package org.trigrid.mesh
 
 import org.trigrid.domain.Domain
+import org.trigrid.domain.Region
 import java.util.BitSet
 
 /**
@@ -27,10 +28,28 @@ public class TriMesh internal constructor(
     internal val edgeTags: IntArray,
     /** Tagged edges from this one on are embedded, not boundary. */
     @get:JvmName("boundaryEdgeCount") public val boundaryEdgeCount: Int,
-    /** Names of the edge groups. */
+    /** Names of the groups of edges and points. */
     @get:JvmName("tags") public val tags: List<String>,
-    @get:JvmName("regionName") public val regionName: String,
+    internal val parts: MeshParts,
 ) {
+    /** A mesh of one region. */
+    internal constructor(
+        xy: DoubleArray, elements: IntArray, neighbours: IntArray, kinds: ByteArray, edges: IntArray, edgeTags: IntArray,
+        boundaryEdgeCount: Int, tags: List<String>, regionName: String,
+    ) : this(xy, elements, neighbours, kinds, edges, edgeTags, boundaryEdgeCount, tags, MeshParts.single(regionName))
+
+    /** The regions that elements belong to; most meshes have one. */
+    @get:JvmName("regions")
+    public val regions: List<Region> get() = parts.regions
+
+    /** Name of the first region. */
+    @get:JvmName("regionName")
+    public val regionName: String get() = regions[0].name
+
+    /** Points that were given to be nodes. */
+    @get:JvmName("pointCount")
+    public val pointCount: Int get() = parts.points.size
+
     @get:JvmName("nodeCount")
     public val nodeCount: Int get() = xy.size / 2
 
@@ -66,6 +85,21 @@ public class TriMesh internal constructor(
 
     /** Index into [tags] of a tagged edge. */
     public fun edgeTag(edge: Int): Int = edgeTags[edge]
+
+    /** Index into [regions] of the region of an element. */
+    public fun regionOf(element: Int): Int = parts.regionOf(element)
+
+    /** Elements of the region called [name], ascending. Empty for an unknown name. */
+    public fun elementsIn(name: String): IntArray {
+        val region = regions.indexOfFirst { it.name == name }
+        return (0 until elementCount).filter { regionOf(it) == region }.toIntArray()
+    }
+
+    /** The node of a point that was given. */
+    public fun pointNode(point: Int): Int = parts.points[point]
+
+    /** Index into [tags] of a point's group. */
+    public fun pointTag(point: Int): Int = parts.pointTags[point]
 
     /** x0, y0, x1, y1, …; a copy. */
     public fun nodeCoordinates(): DoubleArray = xy.copyOf()
@@ -121,7 +155,7 @@ public class TriMesh internal constructor(
      */
     public fun renumbered(newNumbers: IntArray): TriMesh = MeshRenumbering.apply(this, newNumbers)
 
-    /** The domain that the mesh fills: its boundary edges as loops, and its embedded edges, with their tags. */
+    /** The domain that the mesh fills: its boundary edges as loops, its embedded edges and points, with tags and regions. */
     public fun outline(): Domain = MeshOutline.of(this)
 
     /**
@@ -134,7 +168,7 @@ public class TriMesh internal constructor(
         return edgeTags.indices.filter { edgeTags[it] == index }.toIntArray()
     }
 
-    /** Nodes on the edges of group [tag], ascending; for boundary conditions. Empty for an unknown name. */
+    /** Nodes on the edges of group [tag] and its points, ascending; for boundary conditions. Empty for an unknown name. */
     public fun nodesOn(tag: String): IntArray {
         val index = tags.indexOf(tag)
         val on = BitSet(nodeCount)
@@ -144,6 +178,7 @@ public class TriMesh internal constructor(
                 on.set(edges[2 * e + 1])
             }
         }
+        for (p in parts.points.indices) if (parts.pointTags[p] == index) on.set(parts.points[p])
         return on.stream().toArray()
     }
 
@@ -160,7 +195,23 @@ public class TriMesh internal constructor(
          */
         @JvmStatic
         public fun of(xy: DoubleArray, elements: IntArray): TriMesh =
-            TriMeshFactory.of(xy.copyOf(), elements.copyOf(), IntArray(0), IntArray(0), emptyList(), "domain")
+            TriMeshFactory.of(xy.copyOf(), elements.copyOf(), IntArray(0), IntArray(0), emptyList(), Region.DEFAULT_NAME)
+
+        /**
+         * As the other, with a region for each element. An edge between two regions gets the tag `interface`.
+         *
+         * @param regions the regions that elements may be in.
+         * @param elementRegions per element the index of its region; not modified.
+         * @throws IllegalArgumentException if a number is out of range or the arrays do not fit, or there is no region.
+         */
+        @JvmStatic
+        public fun of(xy: DoubleArray, elements: IntArray, regions: List<Region>, elementRegions: IntArray): TriMesh {
+            require(regions.isNotEmpty()) { "there are no regions" }
+            require(elementRegions.size == elements.size / 3) { "${elements.size / 3} elements have ${elementRegions.size} regions" }
+            for (r in elementRegions) require(r in regions.indices) { "region $r is not among the ${regions.size} given" }
+            val parts = MeshParts(java.util.List.copyOf(regions), elementRegions.copyOf(), IntArray(0), IntArray(0))
+            return TriMeshFactory.of(xy.copyOf(), elements.copyOf(), IntArray(0), IntArray(0), emptyList(), parts)
+        }
     }
 }
 
@@ -169,7 +220,7 @@ public enum class NodeKind {
     /** Given, on the boundary; kept exactly. */
     BOUNDARY,
 
-    /** Given, on an embedded line inside the domain; kept exactly. */
+    /** Given, on an embedded line or as an embedded point inside the domain; kept exactly. */
     EMBEDDED,
 
     /** Made by the mesher. */

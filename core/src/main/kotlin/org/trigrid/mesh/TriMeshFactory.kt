@@ -7,11 +7,20 @@ internal object TriMeshFactory {
     /** Group of boundary edges that no line of the input names. */
     const val UNNAMED: String = "boundary"
 
+    /** Group of edges between two regions that no line of the input names. */
+    const val INTERFACE: String = "interface"
+
+    /** As the other, with one region and no points. */
+    fun of(
+        xy: DoubleArray, elements: IntArray, lines: IntArray, lineTags: IntArray, tags: List<String>, regionName: String,
+    ): TriMesh = of(xy, elements, lines, lineTags, tags, MeshParts.single(regionName))
+
     /**
      * @param xy x0, y0, x1, y1, …; taken over, not copied.
      * @param elements three nodes an element; taken over, clockwise ones are turned.
      * @param lines two nodes a line, in either direction.
      * @param lineTags per line an index into [tags].
+     * @param parts regions of the elements, and points.
      * @throws IllegalArgumentException if a node number is out of range, a coordinate is not finite or a line is no edge of an element.
      */
     fun of(
@@ -20,7 +29,7 @@ internal object TriMeshFactory {
         lines: IntArray,
         lineTags: IntArray,
         tags: List<String>,
-        regionName: String,
+        parts: MeshParts,
     ): TriMesh {
         require(xy.size % 2 == 0) { "coordinates come in pairs, not ${xy.size} numbers" }
         require(elements.size % 3 == 0) { "elements come as three nodes each, not ${elements.size} numbers" }
@@ -34,28 +43,37 @@ internal object TriMeshFactory {
         val boundary = MeshTopology.boundaryEdges(elements, neighbours)
         val named = NamedLines(lines, lineTags)
         val boundaryTags = IntArray(boundary.size / 2) { named.take(boundary[2 * it], boundary[2 * it + 1]) }
-        val unnamed = boundaryTags.any { it < 0 }
-        val allTags = if (unnamed && UNNAMED !in tags) tags + UNNAMED else tags
-        val fallback = allTags.indexOf(UNNAMED)
-        for (i in boundaryTags.indices) if (boundaryTags[i] < 0) boundaryTags[i] = fallback
         val embedded = named.rest()
         requireEdges(elements, lines, embedded)
-        val edges = boundary.copyOf(boundary.size + 2 * embedded.size)
-        val edgeTags = boundaryTags.copyOf(boundaryTags.size + embedded.size)
-        embedded.forEachIndexed { i, line ->
-            edges[boundary.size + 2 * i] = lines[2 * line]
-            edges[boundary.size + 2 * i + 1] = lines[2 * line + 1]
-            edgeTags[boundaryTags.size + i] = lineTags[line]
+        val between = if (parts.regions.size == 1) emptyList() else interfaces(elements, neighbours, parts)
+        val bare = between.filter { !named.has(elements[it], elements[MeshTopology.nextCorner(it)]) }
+        val allTags = ArrayList(tags)
+        if (boundaryTags.any { it < 0 } && UNNAMED !in allTags) allTags.add(UNNAMED)
+        if (bare.isNotEmpty() && INTERFACE !in allTags) allTags.add(INTERFACE)
+        val fallback = allTags.indexOf(UNNAMED)
+        for (i in boundaryTags.indices) if (boundaryTags[i] < 0) boundaryTags[i] = fallback
+        val inner = IntArray(2 * embedded.size) { lines[2 * embedded[it / 2] + it % 2] } +
+            IntArray(2 * bare.size) { if (it % 2 == 0) elements[bare[it / 2]] else elements[MeshTopology.nextCorner(bare[it / 2])] }
+        val innerTags = IntArray(embedded.size + bare.size) {
+            if (it < embedded.size) lineTags[embedded[it]] else allTags.indexOf(INTERFACE)
         }
-        val kinds = kinds(nodeCount, edges, boundaryTags.size)
+        val edges = boundary + inner
+        val kinds = kinds(nodeCount, edges, boundaryTags.size, parts.points)
         return TriMesh(
-            xy, elements, neighbours, kinds, edges, edgeTags, boundaryTags.size, java.util.List.copyOf(allTags), regionName,
+            xy, elements, neighbours, kinds, edges, boundaryTags + innerTags, boundaryTags.size, java.util.List.copyOf(allTags), parts,
         )
     }
 
-    /** Kind of each node by the tagged edges it lies on. */
-    fun kinds(nodeCount: Int, edges: IntArray, boundaryEdgeCount: Int): ByteArray {
+    /** One half-edge of each edge between elements of different regions. */
+    private fun interfaces(elements: IntArray, neighbours: IntArray, parts: MeshParts): List<Int> = elements.indices.filter {
+        val across = neighbours[it]
+        across > it / 3 && parts.regionOf(across) != parts.regionOf(it / 3)
+    }
+
+    /** Kind of each node by the tagged edges it lies on, and whether it is a point. */
+    fun kinds(nodeCount: Int, edges: IntArray, boundaryEdgeCount: Int, points: IntArray): ByteArray {
         val kinds = ByteArray(nodeCount) { NodeKind.INTERIOR.code }
+        for (node in points) kinds[node] = NodeKind.EMBEDDED.code
         for (i in 2 * boundaryEdgeCount until edges.size) kinds[edges[i]] = NodeKind.EMBEDDED.code
         for (i in 0 until 2 * boundaryEdgeCount) kinds[edges[i]] = NodeKind.BOUNDARY.code
         return kinds
@@ -97,6 +115,8 @@ internal object TriMeshFactory {
             order = sorted.toIntArray()
             keys = LongArray(order.size) { key(lines[2 * order[it]], lines[2 * order[it] + 1]) }
         }
+
+        fun has(a: Int, b: Int): Boolean = keys.binarySearch(key(a, b)) >= 0
 
         fun take(a: Int, b: Int): Int {
             val key = key(a, b)

@@ -10,7 +10,9 @@ internal class UniformRefinement(private val mesh: TriMesh, private val middles:
     fun refined(): TriMesh {
         require(4L * halves < Int.MAX_VALUE) { "${mesh.elementCount} elements are too many to be divided" }
         val tags = IntArray(2 * mesh.taggedEdgeCount) { mesh.edgeTag(it / 2) }
-        return TriMeshFactory.of(places(), elements(), lines(), tags, mesh.tags, mesh.regionName)
+        val regions = IntArray(4 * mesh.parts.elementRegions.size) { mesh.parts.elementRegions[it / 4] }
+        val parts = MeshParts(mesh.regions, regions, mesh.parts.points, mesh.parts.pointTags)
+        return TriMeshFactory.of(places(), elements(), lines(), tags, mesh.tags, parts)
     }
 
     /** Node in the middle of each half-edge. */

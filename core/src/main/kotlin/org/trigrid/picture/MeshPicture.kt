@@ -14,19 +14,22 @@ internal class MeshPicture(private val mesh: TriMesh, private val options: Pictu
     private val edgeLength = medianLength()
     private val lineWidth = (0.035 * edgeLength).coerceIn(0.3, 1.1)
     private val legend = if (options.quality && mesh.elementCount > 0) QualityLegend(mesh) else null
+    private val regions = if (options.quality || mesh.regions.size == 1) null else RegionLegend(mesh.regions, options)
 
     fun draw(): Scene {
         val drawn = view.width + 2 * MARGIN
-        val width = if (legend == null) drawn else drawn + QualityLegend.WIDTH
-        val height = maxOf(view.height + 2 * MARGIN, if (legend == null) 0.0 else QualityLegend.HEIGHT + 2 * MARGIN)
-        val scene = Scene(width, height)
+        val legendWidth = if (legend != null) QualityLegend.WIDTH else regions?.width ?: 0.0
+        val legendHeight = if (legend != null) QualityLegend.HEIGHT else regions?.height ?: 0.0
+        val scene = Scene(drawn + legendWidth, maxOf(view.height + 2 * MARGIN, legendHeight + 2 * MARGIN))
         drawElements(scene)
         if (!options.quality || edgeLength > LEAST_EDGE) drawInnerEdges(scene)
         drawTagged(scene, mesh.boundaryEdgeCount, mesh.taggedEdgeCount, Palette.EMBEDDED)
         drawTagged(scene, 0, mesh.boundaryEdgeCount, Palette.BOUNDARY)
         val donuts = if (options.nodes ?: options.nodeNumbers) drawNodes(scene) else DoubleArray(0)
         drawNumbers(scene, donuts)
+        drawPoints(scene)
         legend?.draw(scene, drawn, MARGIN)
+        regions?.draw(scene, drawn, MARGIN)
         return scene
     }
 
@@ -43,7 +46,7 @@ internal class MeshPicture(private val mesh: TriMesh, private val options: Pictu
 
     private fun drawElements(scene: Scene) {
         if (!options.quality) {
-            scene.add(Triangles(Palette.MATERIAL, corners { true }))
+            for (r in mesh.regions.indices) scene.add(Triangles(regions?.colourOf(r) ?: Palette.MATERIAL, corners { mesh.regionOf(it) == r }))
             return
         }
         val classes = ByteArray(mesh.elementCount) { Palette.qualityClass(TriangleQuality.of(mesh, it)).toByte() }
@@ -85,6 +88,14 @@ internal class MeshPicture(private val mesh: TriMesh, private val options: Pictu
             result[at++] = view.y(mesh.y(pairs[i]))
         }
         return result
+    }
+
+    private fun drawPoints(scene: Scene) {
+        val xyr = DoubleArray(3 * mesh.pointCount) {
+            val node = mesh.pointNode(it / 3)
+            if (it % 3 == 0) view.x(mesh.x(node)) else if (it % 3 == 1) view.y(mesh.y(node)) else donutRadius(edgeLength)
+        }
+        if (xyr.isNotEmpty()) scene.add(Donuts(Palette.EMBEDDED, xyr))
     }
 
     private fun drawNodes(scene: Scene): DoubleArray {

@@ -17,6 +17,9 @@ internal object Palette {
     /** For groups that are told apart: Okabe and Ito's colours (2002), without yellow, which fails on white. */
     val groups = intArrayOf(0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x000000, 0x8B5A2B)
 
+    /** For regions beside [MATERIAL]: tints of [groups], light enough for lines upon them. */
+    val regions = intArrayOf(0xF5C9A6, 0xB5DCF2, 0xA9DDC9, 0xEBCBDD, 0xF7DC9C, 0xC3C9F0, 0xD9CDBF, 0xC9CFD6)
+
     /** Upper ends of the quality classes; an element on an end belongs to the class above. */
     val qualityEnds = doubleArrayOf(0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95)
 

@@ -26,7 +26,7 @@ public class PictureOptions private constructor(builder: Builder) {
     @get:JvmName("size")
     public val size: Int = builder.size
 
-    /** Colour of each group that has one of its own, as `0xRRGGBB`, by name, in pictures of domains; unmodifiable. Default none. */
+    /** Colour of each group that has one of its own, as `0xRRGGBB`, by name, in pictures of domains, and of each region in those of meshes; unmodifiable. Default none. */
     @get:JvmName("groupColours")
     public val groupColours: Map<String, Int> = java.util.Map.copyOf(builder.groupColours)
 

@@ -2,6 +2,7 @@ package org.trigrid.project
 
 import org.trigrid.MeshOptions
 import org.trigrid.domain.Domain
+import org.trigrid.domain.InnerParts
 import org.trigrid.domain.Path
 import org.trigrid.mesh.EdgeMiddles
 
@@ -18,6 +19,8 @@ public class DomainInput internal constructor(
      * mesh.
      */
     public fun middles(): EdgeMiddles = ShapeMiddles(path)
+
+    internal fun with(inner: InnerParts): DomainInput = if (inner.isEmpty()) this else DomainInput(name, domain.with(inner), options, path)
 
     override fun toString(): String = "$name (${domain.nodeCount} nodes)"
 }

@@ -1,7 +1,11 @@
 package org.trigrid.project
 
 import org.trigrid.MeshOptions
+import org.trigrid.domain.Domain
+import org.trigrid.domain.Region
+import org.trigrid.domain.withBase
 import org.trigrid.io.DomainFormats
+import org.trigrid.io.NamedDomain
 import java.io.IOException
 import java.nio.file.Path
 import org.trigrid.domain.Path as ShapePath
@@ -18,12 +22,15 @@ public object DomainInputs {
      *
      * @throws org.trigrid.diagnostics.FileFormatException if the text is not what its format asks for.
      * @throws org.trigrid.diagnostics.InvalidShapeException if a shape cannot be exploded with the spacing.
+     * @throws IllegalArgumentException if two regions of one name differ.
      * @throws IOException if the file cannot be read.
      */
     @JvmStatic
     @Throws(IOException::class)
-    public fun read(file: Path, options: InputOptions): List<DomainInput> =
-        if (isProject(file)) listOf(fromProject(file, options)) else fromFormats(file, options)
+    public fun read(file: Path, options: InputOptions): List<DomainInput> {
+        val read = if (isProject(file)) listOf(fromProject(file, options)) else fromFormats(file, options)
+        return read.map { it.with(options.inner) }
+    }
 
     /** Whether the name of [file] is that of a project. */
     @JvmStatic
@@ -38,8 +45,18 @@ public object DomainInputs {
         return DomainInput(name, project.toDomain(), project.options, project.path)
     }
 
-    private fun fromFormats(file: Path, options: InputOptions): List<DomainInput> =
-        DomainFormats.read(file, options.division).map { DomainInput(it.name, it.domain, MeshOptions.DEFAULT, ShapePath.EMPTY) }
+    private fun fromFormats(file: Path, options: InputOptions): List<DomainInput> {
+        val read = DomainFormats.read(file, options.division)
+        val domains = if (options.join) listOf(NamedDomain(DomainFormats.baseName(file), joined(read))) else read
+        return domains.map { DomainInput(it.name, it.domain, MeshOptions.DEFAULT, ShapePath.EMPTY) }
+    }
+
+    /** One domain of all, each a region called after it; of regions that a file has within a domain the names stay. */
+    private fun joined(domains: List<NamedDomain>): Domain {
+        val builder = Domain.builder()
+        for (named in domains) builder.add(if (named.domain.regions.size > 1) named.domain else named.domain.withBase(Region.of(named.name)))
+        return builder.build()
+    }
 
     /** Every shape with the spacing and ratio asked for, as if its nodes had never been edited. */
     private fun respaced(path: ShapePath, options: InputOptions): ShapePath =

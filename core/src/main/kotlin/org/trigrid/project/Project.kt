@@ -3,11 +3,15 @@ package org.trigrid.project
 import org.trigrid.MeshOptions
 import org.trigrid.diagnostics.Fault
 import org.trigrid.domain.Domain
+import org.trigrid.domain.DomainCheck
+import org.trigrid.domain.InnerParts
 import org.trigrid.domain.OpeningConnection
 import org.trigrid.domain.Path
 import org.trigrid.domain.PathDomain
 import org.trigrid.domain.PathWalk
 import org.trigrid.domain.PlaceIndex
+import org.trigrid.domain.Region
+import org.trigrid.domain.withBase
 
 /** What a project file holds: a path of shapes, loops of plain nodes, and how to mesh what they bound. Immutable. */
 public class Project private constructor(builder: Builder) {
@@ -27,9 +31,17 @@ public class Project private constructor(builder: Builder) {
     @get:JvmName("defaults")
     public val defaults: ShapeDefaults = builder.defaults
 
-    /** Name of the region (tag) that the elements belong to. Default "domain". */
+    /** The region that elements belong to unless [inner] says otherwise. Default: one called "domain". */
+    @get:JvmName("region")
+    public val region: Region = builder.region
+
+    /** Name of [region]. */
     @get:JvmName("regionName")
-    public val regionName: String = builder.regionName
+    public val regionName: String get() = region.name
+
+    /** Lines and points that the mesh keeps, and places that tell regions. */
+    @get:JvmName("inner")
+    public val inner: InnerParts = builder.inner
 
     /** Whether connectors become edges of the mesh; else they only join the walk. Default false. */
     @get:JvmName("keepsConnectors")
@@ -44,17 +56,22 @@ public class Project private constructor(builder: Builder) {
     public val colours: Map<String, String> = java.util.Collections.unmodifiableMap(LinkedHashMap(builder.colours))
 
     /**
-     * The domain that path and loops bound.
+     * The domain that path and loops bound, with what lies inside of it. A loop with the place of a region in it is no hole.
      *
      * @throws org.trigrid.diagnostics.InvalidDomainException if a walk of the path is not closed.
+     * @throws IllegalArgumentException if two regions of one name differ.
      */
-    public fun toDomain(): Domain = outline().make(keepsConnectors, regionName)
+    public fun toDomain(): Domain = outline().make(keepsConnectors, regionName).withBase(region).with(inner)
 
     /**
      * All that is wrong, while a drawing is not finished as well: walks that are not closed, and with them lines that cross,
      * touch or lie on one another; else the faults of the domain.
      */
-    public fun faults(): List<Fault> = outline().faults(keepsConnectors)
+    public fun faults(): List<Fault> {
+        val outline = outline()
+        if (inner.isEmpty() || outline.walks.any { !it.isClosed }) return outline.faults(keepsConnectors)
+        return DomainCheck.check(outline.make(keepsConnectors, regionName).withBase(region).with(inner))
+    }
 
     /** Numbers of the path's walks that are openings and stand by themselves, joined to nothing by a connector; ascending. */
     public fun openings(): IntArray {
@@ -91,7 +108,7 @@ public class Project private constructor(builder: Builder) {
 
     /** A builder that starts from this project. */
     public fun toBuilder(): Builder = Builder().path(path).loops(loops).options(options).defaults(defaults)
-        .regionName(regionName).keepConnectors(keepsConnectors).background(background).colours(colours)
+        .region(region).inner(inner).keepConnectors(keepsConnectors).background(background).colours(colours)
 
     /** Collects the parts of a project; the same builder may build several times. */
     public class Builder internal constructor() {
@@ -99,7 +116,8 @@ public class Project private constructor(builder: Builder) {
         internal var loops: List<NodeLoop> = emptyList()
         internal var options = MeshOptions.DEFAULT
         internal var defaults = ShapeDefaults.STANDARD
-        internal var regionName = "domain"
+        internal var region = Region.of(Region.DEFAULT_NAME)
+        internal var inner = InnerParts.NONE
         internal var keepsConnectors = false
         internal var background: Background? = null
         internal var colours: Map<String, String> = emptyMap()
@@ -116,8 +134,14 @@ public class Project private constructor(builder: Builder) {
         /** Sets [Project.defaults]. */
         public fun defaults(value: ShapeDefaults): Builder = apply { defaults = value }
 
-        /** Sets [Project.regionName]. */
-        public fun regionName(value: String): Builder = apply { regionName = value }
+        /** Sets [Project.region]. */
+        public fun region(value: Region): Builder = apply { region = value }
+
+        /** Sets [Project.regionName]; the region keeps its material and largest size. */
+        public fun regionName(value: String): Builder = apply { region = region.withName(value) }
+
+        /** Sets [Project.inner]. */
+        public fun inner(value: InnerParts): Builder = apply { inner = value }
 
         /** Sets [Project.keepsConnectors]. */
         public fun keepConnectors(value: Boolean): Builder = apply { keepsConnectors = value }

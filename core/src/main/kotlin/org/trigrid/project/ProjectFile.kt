@@ -11,8 +11,8 @@ import java.nio.file.Path
 
 /** Reads and writes project files, `*.trigrid.json`; docs/formats.md describes them. */
 public object ProjectFile {
-    /** The version that is written; versions 1 to this one are read. */
-    public const val VERSION: Int = 1
+    /** The newest version: 1 to this one are read, and the oldest that has all that a project needs is written. */
+    public const val VERSION: Int = 2
 
     /**
      * Reads a file.

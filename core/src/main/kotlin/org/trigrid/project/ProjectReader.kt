@@ -38,6 +38,7 @@ internal object ProjectReader {
         if (fields.has("mesh")) builder.options(options(fields.any("mesh")))
         if (fields.has("path")) builder.path(path(fields.items("path"), builder.defaults))
         if (fields.has("loops")) builder.loops(fields.items("loops").map { loop(it) })
+        InnerReader.read(fields, builder)
         if (fields.has("colours")) builder.colours(colours(fields.any("colours")))
         if (fields.has("background")) builder.background(background(fields.any("background")))
         fields.end()

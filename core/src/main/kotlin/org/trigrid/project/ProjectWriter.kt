@@ -37,13 +37,17 @@ import org.trigrid.spacing.SizeSources
 internal class ProjectWriter(private val project: Project) {
     fun write(): JsonObject = buildJsonObject {
         put("format", ProjectReader.FORMAT)
-        put("version", ProjectFile.VERSION)
+        val regions = InnerWriter.regions(project)
+        put("version", if (project.inner.isEmpty() && regions.isEmpty()) FIRST_VERSION else ProjectFile.VERSION)
         put("region", project.regionName)
         put("connectors", JsonFields.word(if (project.keepsConnectors) Connectors.KEEP else Connectors.DROP))
         put("defaults", defaults(project.defaults))
         put("mesh", options(project.options))
         put("path", JsonArray(project.path.steps.map { step(it) }))
         if (project.loops.isNotEmpty()) put("loops", JsonArray(project.loops.map { loop(it) }))
+        if (regions.isNotEmpty()) put("regions", regions)
+        if (project.inner.lineCount > 0) put("lines", InnerWriter.lines(project.inner))
+        if (project.inner.pointCount > 0) put("points", InnerWriter.points(project.inner))
         if (project.colours.isNotEmpty()) put("colours", buildJsonObject { project.colours.forEach { (name, colour) -> put(name, colour) } })
         project.background?.let { put("background", background(it)) }
     }
@@ -213,10 +217,15 @@ internal class ProjectWriter(private val project: Project) {
         put("nodes", points(List(loop.nodeCount) { Point2(loop.x(it), loop.y(it)) }))
     }
 
-    private fun points(points: List<Point2>) = JsonArray(points.map { point(it) })
+    companion object {
+        /** Without regions, lines and points a file says nothing that programs of this version do not know. */
+        private const val FIRST_VERSION = 1
 
-    private fun point(point: Point2) = JsonArray(listOf(number(point.x), number(point.y)))
+        fun points(points: List<Point2>) = JsonArray(points.map { point(it) })
 
-    @OptIn(ExperimentalSerializationApi::class)
-    private fun number(value: Double) = JsonUnquotedLiteral(NumberText.of(value))
+        fun point(point: Point2) = JsonArray(listOf(number(point.x), number(point.y)))
+
+        @OptIn(ExperimentalSerializationApi::class)
+        fun number(value: Double) = JsonUnquotedLiteral(NumberText.of(value))
+    }
 }

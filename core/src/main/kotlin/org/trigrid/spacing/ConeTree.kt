@@ -21,6 +21,9 @@ internal class ConeTree(
     private val checkpoint: Checkpoint = Checkpoint.unheard(),
 ) {
     private val count = sizes.size
+
+    /** How many sources there are. */
+    val sourceCount: Int get() = count
     private val order = InsertionOrder.alongCurve(xy, checkpoint)
     private val place = IntArray(count)
     private val sourceX = DoubleArray(count)

@@ -15,7 +15,7 @@ internal class ElementEstimate(
     private val field: SizeField,
     private val checkpoint: Checkpoint,
 ) {
-    private val longestAllowed = if (field is BoundedField) field.detail else Double.POSITIVE_INFINITY
+    private val longestAllowed = field.detail
 
     /** 9 per piece that waits: x, y, size of its three corners. */
     private var pieces = DoubleArray(9 * 64)

@@ -8,7 +8,7 @@ internal class GradedField(private val cones: ConeTree) : SizeField {
     override var lastHint: Int = 0
         private set
 
-    override fun hintOf(node: Int): Int = node
+    override fun hintOf(node: Int): Int = if (node < cones.sourceCount) node else -1
 
     override fun sizeAt(x: Double, y: Double, hint: Int): Double {
         val size = cones.min(x, y, hint, Double.POSITIVE_INFINITY, TOLERANCE)

@@ -52,7 +52,7 @@ internal class LinearField(
         }
     }
 
-    override fun hintOf(node: Int): Int = Math.max(0, mesh.edgeOfNode[node]) / 3
+    override fun hintOf(node: Int): Int = if (node < mesh.edgeOfNode.size) Math.max(0, mesh.edgeOfNode[node]) / 3 else -1
 
     override fun sizeAt(x: Double, y: Double, hint: Int): Double {
         val t = walk.find(x, y, if (hint >= 0) hint else lastHint)

@@ -3,6 +3,7 @@ package org.trigrid.spacing
 import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.diagnostics.InvalidSizeException
 import org.trigrid.geometry.IntList
+import org.trigrid.geometry.Pose
 
 /**
  * The user's sizes, sampled once and limited to the gradation.
@@ -22,6 +23,7 @@ import org.trigrid.geometry.IntList
  */
 internal class SampledSizes(
     private val function: SizeFunction,
+    private val pose: Pose,
     private val minX: Double,
     private val minY: Double,
     private val extent: Double,
@@ -107,9 +109,11 @@ internal class SampledSizes(
     }
 
     private fun valueAt(x: Double, y: Double): Double {
-        val value = function.sizeAt(x, y)
+        val givenX = pose.givenX(x, y)
+        val givenY = pose.givenY(x, y)
+        val value = function.sizeAt(givenX, givenY)
         if (value > 0) return value
-        if (locator.isInside(x, y)) throw InvalidSizeException(x, y, value)
+        if (locator.isInside(x, y)) throw InvalidSizeException(givenX, givenY, value)
         return Double.POSITIVE_INFINITY
     }
 

@@ -13,9 +13,12 @@ internal interface SizeField {
      */
     fun sizeAt(x: Double, y: Double, hint: Int): Double
 
+    /** Distance below which user's sizes, or those at points, may change; infinity where there are none. */
+    val detail: Double get() = Double.POSITIVE_INFINITY
+
     /** Where the last evaluation ended; a good hint for places near it. */
     val lastHint: Int
 
-    /** Hint for a place at boundary node [node] of the domain. */
+    /** Hint for a place at node [node] of the domain; -1 for a node that the field does not know, such as an embedded point. */
     fun hintOf(node: Int): Int
 }

@@ -6,7 +6,15 @@ import org.trigrid.geometry.IntList
 
 /** Makes the size field that the rules ask for. */
 internal object SizeFields {
-    /** The field of a valid domain, whose triangulation is [mesh]. */
+    /**
+     * The field of a valid domain with embedded points, whose triangulation without those points is [mesh]. Points that are near
+     * others get small elements round them.
+     */
+    fun createWithPoints(domain: Domain, rules: SizeRules, mesh: ConstrainedDelaunay, checkpoint: Checkpoint): SizeField {
+        return PointField.over(create(domain.withoutLonePoints(), rules, mesh, checkpoint), domain, rules, checkpoint)
+    }
+
+    /** The field of a valid domain of segments, whose triangulation is [mesh]. */
     @JvmStatic
     @JvmOverloads
     fun create(
@@ -28,7 +36,7 @@ internal object SizeFields {
             Sizes.SMOOTH -> linearField(domain, mesh, limited, cones, gradation, checkpoint)
             Sizes.GRADE -> GradedField(cones)
         }
-        return bounded(ofBoundary, domain, limited, rules, checkpoint)
+        return bounded(ofBoundary, domain, limited, rules, RegionSizes.of(domain, mesh, checkpoint), checkpoint)
     }
 
     private fun linearField(
@@ -49,33 +57,33 @@ internal object SizeFields {
         ElementEstimate(mesh, field, checkpoint).total()
 
     private fun bounded(
-        ofBoundary: SizeField, domain: Domain, sizes: DoubleArray, rules: SizeRules, checkpoint: Checkpoint,
+        ofBoundary: SizeField, domain: Domain, sizes: DoubleArray, rules: SizeRules, regions: RegionSizes?, checkpoint: Checkpoint,
     ): SizeField {
-        val hasSizes = rules.function != null || rules.sources.count > 0
+        val hasSizes = rules.function != null || rules.sources.count > 0 || regions != null
         if (!hasSizes && rules.minSize == 0.0 && rules.maxSize == Double.POSITIVE_INFINITY) return ofBoundary
-        val ceiling = ceiling(domain, rules, checkpoint)
+        val ceiling = ceiling(domain, rules, regions, checkpoint)
         val coarse = IntList()
         for (node in sizes.indices) {
             checkpoint.pass()
-            if (sizes[node] > ceiling.at(domain.x(node), domain.y(node))) coarse.add(node)
+            if (sizes[node] > ceiling.atNode(node, domain.x(node), domain.y(node))) coarse.add(node)
         }
         val coarseXy = DoubleArray(2 * coarse.size) { domain.xy[2 * coarse[it / 2] + it % 2] }
         val coarseNodes = ConeTree(coarseXy, DoubleArray(coarse.size) { -sizes[coarse[it]] }, rules.gradation, checkpoint)
         return BoundedField(ofBoundary, ceiling, rules.minSize, if (coarse.size > 0) coarseNodes else null)
     }
 
-    private fun ceiling(domain: Domain, rules: SizeRules, checkpoint: Checkpoint): SizeCeiling {
-        val sources = rules.sources.graded(rules.gradation)
+    private fun ceiling(domain: Domain, rules: SizeRules, regions: RegionSizes?, checkpoint: Checkpoint): SizeCeiling {
+        val sources = rules.sources.graded(rules.gradation, rules.pose)
         val minX = (0 until domain.nodeCount).minOf { domain.x(it) }
         val minY = (0 until domain.nodeCount).minOf { domain.y(it) }
         val extentX = (0 until domain.nodeCount).maxOf { domain.x(it) } - minX
         val extentY = (0 until domain.nodeCount).maxOf { domain.y(it) } - minY
         val extent = Math.max(extentX, extentY)
         val sampled = rules.function?.let {
-            SampledSizes(it, minX, minY, extent, InsideLocator(domain), rules.gradation, checkpoint)
+            SampledSizes(it, rules.pose, minX, minY, extent, InsideLocator(domain), rules.gradation, checkpoint)
         }
         val detail = sampled?.evenCell ?: if (sources != null) extent / SOURCE_CELLS else Double.POSITIVE_INFINITY
-        return SizeCeiling(rules.maxSize, sampled, sources, detail)
+        return SizeCeiling(rules.maxSize, sampled, sources, regions, detail)
     }
 
     /**
@@ -109,7 +117,10 @@ internal object SizeFields {
         return typical
     }
 
-    /** How far each node's spacing rules: [PERIMETERS] times the length of the shortest loop it lies on, or of its own segments. */
+    /**
+     * How far each node's spacing rules: [PERIMETERS] times the length of the shortest loop it lies on, else of the embedded
+     * lines that hang together with its own.
+     */
     private fun reaches(domain: Domain, checkpoint: Checkpoint): DoubleArray {
         val reach = DoubleArray(domain.nodeCount) { Double.POSITIVE_INFINITY }
         for (loop in 0 until domain.loopCount) {
@@ -121,9 +132,11 @@ internal object SizeFields {
                 reach[node] = Math.min(reach[node], PERIMETERS * length)
             }
         }
+        if (domain.boundaryCount == domain.segmentCount) return reach
+        val lengths = EmbeddedLengths(domain)
         for (s in domain.boundaryCount until domain.segmentCount) {
             for (node in intArrayOf(domain.segmentStart(s), domain.segmentEnd(s))) {
-                if (reach[node] == Double.POSITIVE_INFINITY) reach[node] = PERIMETERS * domain.segmentLength(s)
+                if (reach[node] == Double.POSITIVE_INFINITY) reach[node] = PERIMETERS * lengths.at(node)
             }
         }
         return reach

@@ -1,5 +1,7 @@
 package org.trigrid.spacing
 
+import org.trigrid.geometry.Pose
+
 /** What is asked of the sizes inside a domain. */
 internal class SizeRules @JvmOverloads constructor(
     val sizes: Sizes,
@@ -13,4 +15,6 @@ internal class SizeRules @JvmOverloads constructor(
     val function: SizeFunction?,
     /** Points and lines with sizes of their own. */
     val sources: SizeSources = SizeSources.NONE,
+    /** How the domain is laid to which the rules apply; function and sources speak of places as they were given. */
+    val pose: Pose = Pose.AS_GIVEN,
 )

@@ -1,5 +1,6 @@
 package org.trigrid.spacing
 
+import org.trigrid.geometry.Pose
 import java.io.Serializable
 
 /**
@@ -53,9 +54,18 @@ public class SizeSources private constructor(private val places: List<DoubleArra
         return SizeSources(places.plusElement(place), sizes + size)
     }
 
-    /** The sizes with a [gradation]; null if there is no source. Not for several threads. */
-    internal fun graded(gradation: Double): SourceSizes? =
-        if (count == 0) null else SourceSizes(places, sizes.toDoubleArray(), gradation)
+    /** The sizes with a [gradation] in a plane laid in a [pose]; null if there is no source. Not for several threads. */
+    internal fun graded(gradation: Double, pose: Pose): SourceSizes? {
+        if (count == 0) return null
+        val laid = places.map { place ->
+            DoubleArray(place.size) {
+                val x = place[it - it % 2]
+                val y = place[it - it % 2 + 1]
+                if (it % 2 == 0) pose.x(x, y) else pose.y(x, y)
+            }
+        }
+        return SourceSizes(laid, sizes.toDoubleArray(), gradation)
+    }
 
     override fun toString(): String = "$count size sources"
 

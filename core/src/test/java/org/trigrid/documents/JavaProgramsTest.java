@@ -9,6 +9,7 @@ import org.trigrid.MeshGenerator;
 import org.trigrid.MeshOptions;
 import org.trigrid.domain.Domain;
 import org.trigrid.domain.Path;
+import org.trigrid.domain.Region;
 import org.trigrid.geometry.Point2;
 import org.trigrid.mesh.MeshCheck;
 import org.trigrid.mesh.TriMesh;
@@ -47,5 +48,28 @@ class JavaProgramsTest {
         // end
         assertEquals(2, domain.loopCount());
         assertTrue(MeshCheck.check(MeshGenerator.generate(domain).mesh(), domain).isEmpty());
+    }
+
+    @Test
+    void theDomainOfTwoRegions() {
+        double[] plate = {0, 0, 60, 0, 60, 60, 0, 60};
+        double[] slot = {20, 30, 40, 30, 40, 50, 20, 50};
+        double[] bore = {5, 5, 15, 5, 15, 15, 5, 15};
+        int element = 0;
+        // docs/regions.md
+        Domain domain = Domain.builder()
+            .outer(plate, "rim").hole(slot, "slot").hole(bore, "bore")
+            .regionName("iron")
+            .region(30, 40, Region.of("copper").withMaterial(2).withMaxSize(0.5))   // in the slot, which it fills
+            .build();
+        TriMesh mesh = MeshGenerator.generate(domain).mesh();
+        int[] copper = mesh.elementsIn("copper");
+        int[] between = mesh.nodesOn("slot");
+        int region = mesh.regionOf(element);              // index into mesh.regions()
+        // end
+        assertTrue(MeshCheck.check(mesh, domain).isEmpty());
+        assertEquals(4, between.length);
+        assertTrue(copper.length > 0 && region < mesh.regions().size());
+        assertEquals(2, domain.loopCount());
     }
 }

@@ -42,7 +42,7 @@ class CellDomainsTest {
             }
             val holes = ALL.filter { it !in cells }.flatMap { listOf(it % WIDTH + 0.5, it / WIDTH + 0.5) }.toDoubleArray()
             val count = segments.size / 2
-            val domain = Domain.fromLineWork(GRID, segments.toIntArray(), IntArray(count), listOf("b"), "r", holes)
+            val domain = Domain.fromLineWork(GRID, segments.toIntArray(), IntArray(count), IntArray(GRID.size / 2), listOf("b"), "r", holes)
             val expected = walked(cells, keepConnectors = true)
             assertEquals(emptyList<Any>(), DomainCheck.check(domain))
             assertEquals(expected.area, domain.area)

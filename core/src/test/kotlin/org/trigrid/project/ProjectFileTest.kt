@@ -136,7 +136,7 @@ class ProjectFileTest {
     @Test
     fun `errors name line and column`() {
         fails("[4, 3]", "[4, 3], \"colour\": 1", "\"colour\"", "unknown key \"colour\"")
-        fails("\"version\": 1", "\"version\": 2", "2,", "version 2")
+        fails("\"version\": 1", "\"version\": 3", "3,", "version 3")
         fails("\"version\": 1", "\"version\": 1.5", "1.5", "whole number")
         fails("\"trigrid\"", "\"other\"", "\"other\"", "\"format\" must be")
         fails("[0, 0], \"end\": [4", "[0, 0, 0], \"end\": [4", "[0, 0, 0]", "must be a point")

@@ -70,6 +70,7 @@ internal class BrokenDomain(private val valid: Domain) {
                 loop(1.0, 1.0, 2.0, 1.0, 2.0, 2.0)
             }
             FaultKind.DEGENERATE_LOOP -> loop(0.0, 0.0, 4.0, 1.0)
+            FaultKind.REGION_POINT -> error("a piece has no regions")
             FaultKind.EMBEDDED_OUTSIDE -> embedded.addAll(listOf(node(1.0, 1.0), node(2.0, 3.0)))
         }
         pieces.add(Piece(kind, cellX, cellY, firstNode until xy.size / 2))

@@ -22,7 +22,7 @@ class BrokenDomainsTest {
 
     @Test
     fun `each fault beside a valid domain is told alone`() {
-        for (family in families) for (kind in FaultKind.entries) requireRefused(family.make(4), listOf(kind), "${family.name} $kind")
+        for (family in families) for (kind in KINDS) requireRefused(family.make(4), listOf(kind), "${family.name} $kind")
     }
 
     @Test
@@ -30,7 +30,7 @@ class BrokenDomainsTest {
         val random = Random(5)
         for (family in families) {
             repeat(6) { seed ->
-                val kinds = List(2 + random.nextInt(10)) { FaultKind.entries[random.nextInt(FaultKind.entries.size)] }
+                val kinds = List(2 + random.nextInt(10)) { KINDS[random.nextInt(KINDS.size)] }
                 requireRefused(family.make(seed.toLong()), kinds, "${family.name} $seed $kinds")
             }
         }
@@ -42,7 +42,7 @@ class BrokenDomainsTest {
         val random = Random(6)
         for (family in families) {
             repeat(150) { seed ->
-                val kinds = List(1 + random.nextInt(12)) { FaultKind.entries[random.nextInt(FaultKind.entries.size)] }
+                val kinds = List(1 + random.nextInt(12)) { KINDS[random.nextInt(KINDS.size)] }
                 requireRefused(family.make(100L + seed), kinds, "${family.name} $seed $kinds")
             }
         }
@@ -112,5 +112,10 @@ class BrokenDomainsTest {
         val embedded = domain.segmentCount - domain.boundaryCount
         val isEmbedded = BooleanArray(pairs.size) { it >= pairs.size - embedded }
         return Domain(domain.xy, IntArray(2 * pairs.size) { pairs[it / 2][it % 2] }, IntArray(pairs.size), isEmbedded, listOf("b"), "domain")
+    }
+
+    private companion object {
+        /** A domain of plain segments has no regions to tell wrong. */
+        val KINDS = FaultKind.entries.filter { it != FaultKind.REGION_POINT }
     }
 }

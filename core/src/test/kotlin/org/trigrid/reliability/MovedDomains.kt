@@ -26,7 +26,7 @@ internal class MovedDomains(private val others: List<Family>) {
             val (px, py) = listOf(domain.x(it / 2), domain.y(it / 2))
             if (it % 2 == 0) x + cos * px - sin * py else y + sin * px + cos * py
         }
-        val result = Domain(xy, domain.segments, domain.segmentTags, domain.embedded, domain.tags, domain.regionName)
+        val result = Domain(xy, domain.segments, domain.segmentTags, domain.embedded, domain.tags, domain.regionMap, domain.points)
         return if (DomainCheck.check(result).isEmpty()) result else domain
     }
 }

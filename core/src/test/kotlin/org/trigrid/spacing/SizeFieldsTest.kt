@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test
 import org.trigrid.MeshOptions
 import org.trigrid.diagnostics.InvalidSizeException
 import org.trigrid.domain.Domain
+import org.trigrid.geometry.Pose
 import kotlin.math.hypot
 import kotlin.math.sqrt
 import kotlin.random.Random
@@ -217,5 +218,5 @@ class SizeFieldsTest {
     }
 
     private fun field(domain: Domain, configure: MeshOptions.Builder.() -> Unit): SizeField =
-        SizeFields.create(domain, MeshOptions.builder().gradation(gradation).apply(configure).build().sizeRules(), ConstrainedDelaunay.of(domain))
+        SizeFields.create(domain, MeshOptions.builder().gradation(gradation).apply(configure).build().sizeRules(Pose.AS_GIVEN), ConstrainedDelaunay.of(domain))
 }

@@ -9,6 +9,7 @@ import org.trigrid.MeshGenerator
 import org.trigrid.MeshOptions
 import org.trigrid.diagnostics.InvalidSizeException
 import org.trigrid.domain.Path
+import org.trigrid.geometry.Pose
 import org.trigrid.mesh.MeshCheck
 import org.trigrid.mesh.TriMesh
 import org.trigrid.project.Project
@@ -48,8 +49,11 @@ class SizeSourcesTest {
 
     @Test
     fun `elements along a line are small at its ends, its bends and between`() {
+        val expected = 0.01 + 0.25 * 0.0075  // half of the reach away
         val mesh = mesh(SizeSources.NONE.withLine(0.01, 0.3, 0.3, 0.7, 0.3, 0.7, 0.7))
-        for ((x, y) in listOf(0.3 to 0.3, 0.5 to 0.3, 0.7 to 0.3, 0.7 to 0.51, 0.7 to 0.7)) assertEquals(0.01, sizeNear(mesh, x, y, 0.015), 0.003)
+        for ((x, y) in listOf(0.3 to 0.3, 0.5 to 0.3, 0.7 to 0.3, 0.7 to 0.51, 0.7 to 0.7)) {
+            assertEquals(expected, sizeNear(mesh, x, y, 0.015), 0.003)
+        }
         assertTrue(sizeNear(mesh, 0.3, 0.7, 0.05) > 0.035)
     }
 
@@ -58,7 +62,7 @@ class SizeSourcesTest {
         var sources = SizeSources.NONE.withLine(0.3, 0.0, 0.0, 1.0, 0.0)
         val random = java.util.Random(3)
         repeat(200) { sources = sources.withPoint(0.01 + random.nextDouble(), random.nextDouble(), random.nextDouble()) }
-        val sizes = sources.graded(0.2)!!
+        val sizes = sources.graded(0.2, Pose.AS_GIVEN)!!
         repeat(100) {
             val x = 2 * random.nextDouble() - 0.5
             val y = 2 * random.nextDouble() - 0.5

@@ -89,7 +89,7 @@ internal object SpacingDomains {
 
     fun moved(domain: Domain, scale: Double, dx: Double, dy: Double): Domain {
         val xy = DoubleArray(domain.xy.size) { scale * domain.xy[it] + if (it % 2 == 0) dx else dy }
-        return Domain(xy, domain.segments, domain.segmentTags, domain.embedded, domain.tags, domain.regionName)
+        return Domain(xy, domain.segments, domain.segmentTags, domain.embedded, domain.tags, domain.regionMap, domain.points)
     }
 
     /** A square whose sides carry nodes at distances that grow from [finest] by [ratio] from each corner. */

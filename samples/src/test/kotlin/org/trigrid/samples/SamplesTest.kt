@@ -68,6 +68,18 @@ class SamplesTest {
     }
 
     @Test
+    fun `the coil's heat passes the insulation and leaves the iron`() {
+        val mesh = MeshGenerator.generate(CoilInIron.domain()).mesh
+        val temperature = CoilInIron.temperature(mesh)
+        val made = 0.5 * 1.6 * 1.6
+        assertEquals(made, CoilInIron.heatOut(mesh, temperature, "outside", "iron"), 0.03 * made)
+        // In a thin layer of insulation round the coil the temperature falls by heat * thickness / (conductivity * length).
+        val drop = mesh.nodesOn("coil").map { temperature[it] }.average() - mesh.nodesOn("slot").map { temperature[it] }.average()
+        assertEquals(made * 0.2 / (0.002 * 4 * 1.8), drop, 0.1 * drop)
+        assertTrue(temperature[mesh.nodesOn("thermometer").single()] in 0.05..0.5)
+    }
+
+    @Test
     fun `each program prints its figures`() {
         val poisson = printed { PoissonOnHand.main(arrayOf("$paper/hand.trigrid.json")) }
         assertTrue(Regex("""\n +13\d{3} .* 2\.\d\d\n""").containsMatchIn(poisson), poisson)
@@ -75,6 +87,8 @@ class SamplesTest {
         assertTrue(Regex("""\n +0\.010 +\d+ +[23]\.\d{3}\n""").containsMatchIn(printed { PlateWithHole.main(emptyArray()) }))
         val heat = printed { HeatInMachinePart.main(arrayOf("$paper/machine-part.trigrid.json")) }
         assertEquals(4, heat.trim().lines().size, heat)
+        val coil = printed { CoilInIron.main(emptyArray()) }
+        assertTrue(Regex("""copper +material 3, +\d+ elements\nhottest 1\d\.\d\d K, at the thermometer 0\.\d\d K""").containsMatchIn(coil), coil)
     }
 
     @Test

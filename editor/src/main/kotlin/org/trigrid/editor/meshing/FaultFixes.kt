@@ -28,7 +28,7 @@ internal object FaultFixes {
         FaultKind.SPIKE, FaultKind.ZERO_LENGTH, FaultKind.DUPLICATE_NODE -> removeNode(document, fault)
         FaultKind.OVERLAP -> removeDuplicate(document, fault)
         FaultKind.HOLE_OUTSIDE -> turnLoop(fault)
-        FaultKind.NOT_A_NUMBER, FaultKind.DEGENERATE_LOOP, FaultKind.EMBEDDED_OUTSIDE -> null
+        FaultKind.NOT_A_NUMBER, FaultKind.DEGENERATE_LOOP, FaultKind.EMBEDDED_OUTSIDE, FaultKind.REGION_POINT -> null
     }
 
     /** Where the ends of an open walk nearly meet the later one goes onto the other. */

@@ -1,0 +1,49 @@
+package org.trigrid.domain
+
+import org.trigrid.diagnostics.Checkpoint
+import org.trigrid.geometry.Pose
+
+/**
+ * A domain laid in a way of its own: in one of eight poses, its loops in an order and from first nodes that depend on
+ * its outline and not on how it was told.
+ *
+ * The front takes edges of like length and angle in the order in which it gets them, so a mesh depends on that order.
+ * Meshed as it is laid here, an outline that is mirrored, turned, or given loop by loop in another order keeps its mesh:
+ * to the bit for mirroring and quarter turns, up to rounding for other turns.
+ */
+internal class LaidDomain private constructor(
+    /** The domain as it is laid, with node numbers of its own; tags as in the given one. */
+    val domain: Domain,
+    /** How it is laid. */
+    val pose: Pose,
+    /** Per node of [domain] its number in the given domain. */
+    private val givenNodes: IntArray,
+) {
+    /** Number in the given domain; nodes that were not given keep their number. */
+    fun givenNode(node: Int): Int = if (node < givenNodes.size) givenNodes[node] else node
+
+    companion object {
+        /** As it is given. */
+        fun asGiven(domain: Domain): LaidDomain = LaidDomain(domain, Pose.AS_GIVEN, IntArray(domain.nodeCount) { it })
+
+        /** As its outline tells. The [domain] must be valid. */
+        fun of(domain: Domain, checkpoint: Checkpoint): LaidDomain {
+            val moments = NodeMoments(domain, checkpoint)
+            val phase = if (moments.isMirrored) -moments.phase else moments.phase
+            val turns = Math.floor((FIRST_PHASE - phase) / QUARTER).toInt() + 1
+            val pose = Pose(moments.isMirrored, turns and 3)
+            val sweep = phase + (turns and 3) * QUARTER + SWEEP
+            val order = SweepOrder(domain, pose, StrictMath.cos(sweep), StrictMath.sin(sweep), checkpoint)
+            val laid = Domain(order.xy(), order.segments, order.segmentTags, order.embedded, domain.tags, order.regions())
+            return LaidDomain(laid, pose, order.givenNodes)
+        }
+
+        private const val QUARTER = Math.PI / 2
+
+        /** The phase is brought into the quarter turn from here: an angle no outline is likely to have. */
+        private const val FIRST_PHASE = 0.31
+
+        /** Angle from the phase to the direction of the sweep, as unlikely to be met by a side of an outline. */
+        private const val SWEEP = 0.83
+    }
+}
