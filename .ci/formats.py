@@ -269,6 +269,7 @@ def check_second_order(plate):
         mesh = by_meshio(plate.path(name))
         for kind in ("triangle6", "line3"):
             require_middles(np.asarray(mesh.points)[:, :2], mesh.cells_dict[kind])
+    require_read_again(plate, plate.path("disc.msh"))
     # meshio knows neither CTRIA6 nor CPS6.
     plate.convert("second.vtu", "--order", "2")
     triangles = by_meshio(plate.path("second.vtu")).cells_dict["triangle6"]
@@ -279,6 +280,25 @@ def check_second_order(plate):
         raise ValueError("plate.bdf: other elements")
     plate.convert("plate.inp", "--order", "2")
     require_tension(plate, 21)
+
+
+def require_read_again(plate, path):
+    """TriGrid reads the six-node elements that Gmsh writes, and writes them so that Gmsh finds the same disc."""
+    import gmsh
+    for version, binary in ((2.2, 0), (2.2, 1), (4.1, 0), (4.1, 1)):
+        gmsh.initialize(["-noenv"], readConfigFiles=False)
+        try:
+            gmsh.option.setNumber("General.Terminal", 0)
+            gmsh.open(path)
+            gmsh.option.setNumber("Mesh.MshFileVersion", version)
+            gmsh.option.setNumber("Mesh.Binary", binary)
+            gmsh.write(plate.path("gmsh.msh"))
+        finally:
+            gmsh.finalize()
+        plate.run("info", plate.path("gmsh.msh"))
+        plate.run("convert", plate.path("gmsh.msh"), plate.path("again.msh"))
+        if not np.allclose(disc_errors(plate.path("again.msh")), disc_errors(path), rtol=0, atol=1e-12):
+            raise ValueError(f"TriGrid reads another disc from MSH {version}, binary {binary}")
 
 
 def check_mfem(plate):

@@ -66,6 +66,6 @@ public class FileBenchmark {
     @Benchmark
     public TriMesh read(FileState state, Volume volume) {
         volume.megabytes += state.file.length / 1e6;
-        return MshReader.Companion.read(state.file, "benchmark.msh");
+        return MshReader.Companion.read(state.file, "benchmark.msh").corners();
     }
 }

@@ -43,7 +43,7 @@ internal class CheckCommand(private val session: Session) : Callable<Int> {
             lines.print(faults)
             if (faults.isEmpty()) {
                 lines.printWarnings(DomainCheck.warnings(domain))
-                session.terminal.out.println("$input: ${given.name}: ${domain.nodeCount} nodes, ${domain.loopCount} loops, no faults")
+                session.terminal.out.println(OneLine.of("$input: ${given.name}: ${domain.nodeCount} nodes, ${domain.loopCount} loops, no faults"))
             }
             isFaulty = isFaulty || faults.isNotEmpty()
         }

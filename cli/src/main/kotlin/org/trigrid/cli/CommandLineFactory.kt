@@ -41,7 +41,7 @@ internal object CommandLineFactory {
     /** One line that says what is wrong, one that says where to read on; never the whole help. */
     private fun usageError(error: CommandLine.ParameterException, terminal: Terminal): Int {
         val command = error.commandLine.commandSpec.qualifiedName()
-        terminal.err.println("trigrid: " + messageOf(error))
+        terminal.err.println(OneLine.of("trigrid: " + messageOf(error)))
         terminal.err.println("Try '$command --help'.")
         return ExitCodes.USAGE
     }

@@ -28,7 +28,7 @@ internal class Failures(private val err: PrintStream) {
         is InvalidShapeException, is TooManyElementsException -> line(subject, error.message, ExitCodes.INVALID_DOMAIN)
         is MeshingCancelledException -> line(subject, "cancelled", ExitCodes.CANCELLED)
         is FileFormatException -> {
-            err.println(error.message)
+            err.println(OneLine.of(error.message.orEmpty()))
             ExitCodes.FILE_TROUBLE
         }
         is FileSystemException -> line(error.file ?: subject, explain(error), ExitCodes.FILE_TROUBLE)
@@ -41,7 +41,7 @@ internal class Failures(private val err: PrintStream) {
     }
 
     private fun line(subject: String, message: String?, code: Int): Int {
-        err.println("$subject: $message")
+        err.println(OneLine.of("$subject: $message"))
         return code
     }
 

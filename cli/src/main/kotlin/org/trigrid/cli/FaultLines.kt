@@ -7,11 +7,11 @@ import java.io.PrintStream
 /** Prints what is wrong with the domain of a [file], one line a fault: file, kind, place, nodes, words. */
 internal class FaultLines(private val err: PrintStream, private val file: String) {
     fun print(faults: List<Fault>) {
-        for (it in faults) err.println("$file: ${it.kind}" + place(it.x, it.y, it.nodes()) + it.message)
+        for (it in faults) err.println(OneLine.of("$file: ${it.kind}" + place(it.x, it.y, it.nodes()) + it.message))
     }
 
     fun printWarnings(warnings: List<DomainWarning>) {
-        for (it in warnings) err.println("$file: warning: ${it.kind}" + place(it.x, it.y, it.nodes()) + it.message)
+        for (it in warnings) err.println(OneLine.of("$file: warning: ${it.kind}" + place(it.x, it.y, it.nodes()) + it.message))
     }
 
     private fun place(x: Double, y: Double, nodes: IntArray): String {

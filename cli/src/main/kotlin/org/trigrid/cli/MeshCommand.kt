@@ -114,7 +114,7 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
             mesh(input, domain, if (i == 0) clock else RunClock()) { mesh, ordered ->
                 ordered.write(file, meshFormat)
                 drawn?.let { PictureOutput.write(Pictures.mesh(mesh), it, PictureOutput.DEFAULT_PIXELS) }
-            }.also { if (report != STANDARD_OUTPUT) session.terminal.out.println("$file: ${it.summary()}") }
+            }.also { if (report != STANDARD_OUTPUT) session.terminal.out.println(OneLine.of("$file: ${it.summary()}")) }
         }
         writeReport(figures)
         return ExitCodes.DONE

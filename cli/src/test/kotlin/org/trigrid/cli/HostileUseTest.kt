@@ -111,6 +111,23 @@ class HostileUseTest {
         }
     }
 
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    fun `names do not break lines nor command the terminal`() {
+        val name = "new\nline\u001b[2J.wkt"
+        val input = Samples.file(folder, name, "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))")
+        val shown = "new\\nline\\u001b[2J.wkt"
+        for (command in listOf("check", "mesh")) {
+            val outcome = if (command == "check") Outcome.of(command, input) else Outcome.of(command, input, "-o", folder.resolve("x.msh"))
+            assertEquals(ExitCodes.INVALID_DOMAIN, outcome.code)
+            assertTrue(outcome.errorLines.all { shown in it }, outcome.err)
+        }
+        refused(ExitCodes.FILE_TROUBLE, "no\\nfile.wkt: no such file", "check", folder.resolve("no\nfile.wkt"))
+        val collection = Samples.file(folder, "named.geojson", """{"type": "Feature", "properties": {"name": "a\\u001bb"}, "geometry": {"type": "Polygon", "coordinates": [[[0,0],[1,0],[0,1],[0,0]]]}}""")
+        val checked = Outcome.of("check", collection)
+        assertTrue("a\\u001bb" in checked.out && '\u001b' !in checked.out, checked.out)
+    }
+
     private fun hasFullDevice() = FULL.isWritable()
 
     @Test
