@@ -41,7 +41,8 @@ internal class CheckCommand(private val session: Session) : Callable<Int> {
             lines.print(faults)
             if (faults.isEmpty()) {
                 lines.printWarnings(DomainCheck.warnings(domain))
-                session.terminal.out.println("$input: ${given.name}: ${domain.nodeCount} nodes, ${domain.loopCount} loops, no faults")
+                session.terminal.out.println("$input: ${given.name}: ${domain.nodeCount} nodes, ${domain.loopCount} loops, " +
+                    (if (domain.regions.size > 1) "${domain.regions.size} regions, " else "") + "no faults")
             }
             isFaulty = isFaulty || faults.isNotEmpty()
         }

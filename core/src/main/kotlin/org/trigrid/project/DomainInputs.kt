@@ -22,7 +22,6 @@ public object DomainInputs {
      *
      * @throws org.trigrid.diagnostics.FileFormatException if the text is not what its format asks for.
      * @throws org.trigrid.diagnostics.InvalidShapeException if a shape cannot be exploded with the spacing.
-     * @throws IllegalArgumentException if two regions of one name differ.
      * @throws IOException if the file cannot be read.
      */
     @JvmStatic

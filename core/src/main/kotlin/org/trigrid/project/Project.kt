@@ -59,7 +59,6 @@ public class Project private constructor(builder: Builder) {
      * The domain that path and loops bound, with what lies inside of it. A loop with the place of a region in it is no hole.
      *
      * @throws org.trigrid.diagnostics.InvalidDomainException if a walk of the path is not closed.
-     * @throws IllegalArgumentException if two regions of one name differ.
      */
     public fun toDomain(): Domain = outline().make(keepsConnectors, regionName).withBase(region).with(inner)
 

@@ -3,7 +3,9 @@ package org.trigrid.reliability
 import org.trigrid.MeshGenerator
 import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
+import org.trigrid.domain.InnerParts
 import org.trigrid.domain.Path
+import org.trigrid.domain.Region
 import org.trigrid.geometry.Point2
 import org.trigrid.io.DomainFormat
 import org.trigrid.io.DomainText
@@ -16,6 +18,7 @@ import org.trigrid.io.PolyReader
 import org.trigrid.io.TriangleReader
 import org.trigrid.io.VtuReader
 import org.trigrid.io.WktReader
+import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.project.Project
 import org.trigrid.project.ProjectFile
 import org.trigrid.shape.Arc
@@ -35,7 +38,7 @@ internal class FileKind(val name: String, val samples: List<String>, private val
 
     companion object {
         fun all(): List<FileKind> = listOf(
-            FileKind("project", listOf(project())) { text ->
+            FileKind("project", listOf(project(), regions())) { text ->
                 // What a path or a domain refuses is told by TriGrid's own exceptions, after the file was read.
                 try {
                     DomainCheck.check(ProjectFile.parse(text, "file").toDomain())
@@ -45,7 +48,7 @@ internal class FileKind(val name: String, val samples: List<String>, private val
             },
             FileKind("geojson", listOf(GEOJSON, LOOPS)) { text -> GeoJsonReader.read(text, "file", "base").forEach { DomainCheck.check(it.domain) } },
             FileKind("wkt", listOf(WKT)) { text -> WktReader.read(text, "file", "base").forEach { DomainCheck.check(it.domain) } },
-            FileKind("poly", listOf(POLY)) { text -> PolyReader.read(FilePath.of("none.poly"), text).forEach { DomainCheck.check(it.domain) } },
+            FileKind("poly", listOf(POLY, POLY + "2\n1 1 0.5 2 -1\n2 3.5 3.5 0.5 0.01\n")) { text -> PolyReader.read(FilePath.of("none.poly"), text).forEach { DomainCheck.check(it.domain) } },
             FileKind("msh 2.2", listOf(mesh(MeshFormat.MSH_22))) { text -> MshReader.contents(text.toByteArray(), "file").toMesh() },
             FileKind("msh 4.1", listOf(mesh(MeshFormat.MSH_41))) { text -> MshReader.contents(text.toByteArray(), "file").toMesh() },
             FileKind("msh 2.2 binary", listOf(mesh(MeshFormat.MSH_22_BINARY))) { text -> MshReader.contents(bytes(text), "file").toMesh() },
@@ -55,6 +58,9 @@ internal class FileKind(val name: String, val samples: List<String>, private val
             FileKind("geo", listOf(GEO)) { text -> drawing(DomainFormat.GEO, text) },
             FileKind("points", listOf("x,y\n0,0\n4,0\n4.5,4e0\n\n1,1\n2,1\n2,2\n")) { text -> drawing(DomainFormat.POINTS, text) },
             FileKind("topojson", listOf(TOPOJSON)) { text -> drawing(DomainFormat.TOPOJSON, text) },
+            FileKind("msh 2.2, six nodes", listOf(sixNodes(MeshFormat.MSH_22))) { MshReader.contents(it.toByteArray(), "file").toQuadraticMesh() },
+            FileKind("vtu, six nodes", listOf(sixNodes(MeshFormat.VTU))) { text -> VtuReader.contents(bytes(text), "file").toQuadraticMesh() },
+            FileKind("medit, six nodes", listOf(sixNodes(MeshFormat.MEDIT))) { MeditReader.contents(bytes(it), "file").toQuadraticMesh() },
             FileKind("vtu", listOf(mesh(MeshFormat.VTU), VTU)) { text -> VtuReader.contents(bytes(text), "file").toMesh() },
             FileKind("medit", listOf(mesh(MeshFormat.MEDIT))) { text -> MeditReader.contents(bytes(text), "file").toMesh() },
             FileKind("triangle nodes", listOf(NODE)) { text -> triangle().read(text, ELE, null) },
@@ -71,9 +77,25 @@ internal class FileKind(val name: String, val samples: List<String>, private val
             return ProjectFile.format(Project.builder().path(path.moveNode(2, 1.1, -0.1).deleteNode(5)).build())
         }
 
+        private fun regions(): String {
+            val path = Path.of(Rectangle(0.0, 0.0, 4.0, 4.0, 1.0)).newLoop().append(Rectangle(1.0, 1.0, 2.0, 2.0, 0.5))
+            val inner = InnerParts.NONE.withRegion(Region.of("copper").withMaterial(2).withMaxSize(0.25), 1.5, 1.5)
+                .withLine("cut", 3.0, 1.0, 3.0, 2.0).withLoop("ring", 2.5, 2.5, 3.5, 2.5, 3.0, 3.5).withPoint("probe", 0.5, 3.0)
+            return ProjectFile.format(Project.builder().path(path).inner(inner).region(Region.of("iron").withMaterial(1)).build())
+        }
+
+        private fun domain(): Domain = Domain.builder().outer(doubleArrayOf(0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0), "rim")
+            .embed(doubleArrayOf(0.2, 0.2, 0.4, 0.2), "line").embedLoop(doubleArrayOf(0.5, 0.5, 0.8, 0.5, 0.6, 0.8), "ring")
+            .region(0.65, 0.6, Region.of("inner")).embedPoint(0.2, 0.7, "probe").build()
+
+        private fun sixNodes(format: MeshFormat): String {
+            val out = ByteArrayOutputStream()
+            MeshFormats.write(QuadraticMesh.of(MeshGenerator.generate(domain()).mesh), out, format)
+            return out.toString(Charsets.ISO_8859_1)
+        }
+
         private fun mesh(format: MeshFormat): String {
-            val domain = Domain.builder().outer(doubleArrayOf(0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0), "rim")
-                .embed(doubleArrayOf(0.2, 0.2, 0.4, 0.2), "line").build()
+            val domain = domain()
             val out = ByteArrayOutputStream()
             MeshFormats.write(MeshGenerator.generate(domain).mesh, out, format)
             return out.toString(Charsets.ISO_8859_1)
