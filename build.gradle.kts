@@ -39,7 +39,7 @@ subprojects {
             }
         }
         // Nobody needs the others as a library.
-        if (name in setOf("core", "cli", "editor")) publishWithApiPages()
+        if (name in setOf("core", "cli", "editor", "spark")) publishWithApiPages()
     }
 
     tasks.withType<JavaCompile>().configureEach {

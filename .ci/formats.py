@@ -4,7 +4,7 @@
     python formats.py TRIGRID FOLDER
 
 Makes a plate of two by one with named sides in FOLDER, converts its mesh to every format, and compares what each reader
-finds with the mesh: Gmsh, meshio, VTK and Triangle; CalculiX solves the plate in tension, of one material and of two. Of a disc of six-node elements Gmsh
+finds with the mesh: Gmsh, meshio, VTK and Triangle; CalculiX solves the plate in tension, of one material and of two, MFEM Laplace's equation on it. Of a disc of six-node elements Gmsh
 finds the area, whose error must fall with the fourth power of the spacing. A reader that is not installed is a failure.
 Exit status 1 when something fails.
 """
@@ -326,6 +326,39 @@ def check_second_order(plate):
     require_tension(plate, 21)
 
 
+def check_mfem(plate):
+    """MFEM finds sides and region, and solves Laplace's equation for a quadratic, which elements of second order have exactly."""
+    import mfem.ser as mfem
+
+    class Quadratic(mfem.PyCoefficient):
+        def EvalValue(self, place):
+            return place[0] * place[0] - place[1] * place[1]
+
+    for order in ("1", "2"):
+        path = plate.convert("mfem.msh", "--order", order)
+        with contextlib.redirect_stdout(io.StringIO()):
+            mesh = mfem.Mesh(path, 1, 1)
+        found = mesh.GetNE(), len(mesh.attributes.ToList()), len(mesh.bdr_attributes.ToList())
+        if found != (len(plate.triangles), 1, len(plate.sides)):
+            raise ValueError(f"order {order}: MFEM finds {found} elements, regions and sides")
+        space = mfem.FiniteElementSpace(mesh, mfem.H1_FECollection(2, 2))
+        stiffness, load, found = mfem.BilinearForm(space), mfem.LinearForm(space), mfem.GridFunction(space)
+        stiffness.AddDomainIntegrator(mfem.DiffusionIntegrator())
+        stiffness.Assemble()
+        load.Assemble()
+        found.Assign(0.0)
+        sides, given = mfem.intArray([1] * mesh.bdr_attributes.Max()), mfem.intArray()
+        exact = Quadratic()
+        found.ProjectBdrCoefficient(exact, sides)
+        space.GetEssentialTrueDofs(sides, given)
+        matrix, known, unknown = mfem.SparseMatrix(), mfem.Vector(), mfem.Vector()
+        stiffness.FormLinearSystem(given, found, load, matrix, unknown, known)
+        mfem.PCG(matrix, mfem.GSSmoother(matrix), known, unknown, 0, 2000, 1e-26, 0.0)
+        stiffness.RecoverFEMSolution(unknown, load, found)
+        if not found.ComputeL2Error(exact) < 1e-8:
+            raise ValueError(f"order {order}: MFEM's solution is off by {found.ComputeL2Error(exact)}")
+
+
 def require_middles(points, cells):
     """The nodes after the corners are in the middles of the edges, to within the bulge of the circle."""
     corners = {6: 3, 3: 2}[cells.shape[1]]
@@ -363,7 +396,8 @@ def main():
         return 2
     plate = Plate(os.path.abspath(sys.argv[1]), sys.argv[2])
     failed = 0
-    for check in (check_msh, check_vtu, check_medit, check_su2, check_nastran, check_triangle, check_abaqus, check_regions, check_second_order):
+    for check in (check_msh, check_vtu, check_medit, check_su2, check_nastran, check_triangle, check_abaqus, check_regions, check_second_order,
+                  check_mfem):
         name = check.__name__.removeprefix("check_")
         try:
             check(plate)

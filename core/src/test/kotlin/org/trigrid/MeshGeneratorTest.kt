@@ -20,7 +20,11 @@ import org.trigrid.mesh.MeshCheck
 import org.trigrid.mesh.NodeKind
 import org.trigrid.mesh.TriMesh
 import org.trigrid.numbering.NumberingMethod
+import org.trigrid.spacing.SizeSources
 import org.trigrid.spacing.Sizes
+import java.io.ByteArrayOutputStream
+import java.io.ObjectInputStream
+import java.io.ObjectOutputStream
 
 class MeshGeneratorTest {
     @TestFactory
@@ -52,6 +56,20 @@ class MeshGeneratorTest {
                 assertTrue(report.numberingAfter.halfBandwidth <= report.numberingBefore.halfBandwidth)
             }
         }
+    }
+
+    @Test
+    fun `the elements expected are those of the report, and options travel`() {
+        val options = MeshOptions.builder().sizes(Sizes.GRADE).gradation(0.4).maxSize(0.3).strategy(Strategy.CLASSIC)
+            .sizeSources(SizeSources.NONE.withPoint(0.01, 0.5, 0.5)).build()
+        val bytes = ByteArrayOutputStream()
+        ObjectOutputStream(bytes).use { it.writeObject(options) }
+        val read = ObjectInputStream(bytes.toByteArray().inputStream()).use { it.readObject() as MeshOptions }
+        val report = MeshGenerator.generate(square(20), options).report
+        assertEquals(report.expectedElements, MeshGenerator.expectedElements(square(20), read))
+        assertEquals(report.elementCount, MeshGenerator.generate(square(20), read).report.elementCount)
+        val line = Domain.builder().outer(doubleArrayOf(0.0, 0.0, 1.0, 0.0), "edge").build()
+        assertThrows<InvalidDomainException> { MeshGenerator.expectedElements(line, options) }
     }
 
     @Test

@@ -57,6 +57,12 @@ internal class BenchCommand(private val session: Session) : Callable<Int> {
     )
     var families: List<BenchmarkFamily> = BenchmarkFamily.entries - BenchmarkFamily.HOLE - BenchmarkFamily.SIEVE
 
+    @Option(
+        names = ["--threads"], paramLabel = "N",
+        description = ["Threads that share our work. From 2 on our times are those of the clock, not of a processor. Default: 1."],
+    )
+    var threads: Int = 1
+
     @Option(names = ["--runs"], paramLabel = "N", description = ["Runs of each domain. Default: 5."])
     var runs: Int = 5
 
@@ -88,9 +94,10 @@ internal class BenchCommand(private val session: Session) : Callable<Int> {
 
     override fun call(): Int {
         if (runs < 1) throw ParameterException(spec.commandLine(), "--runs must be at least 1, not $runs")
+        if (threads < 1) throw ParameterException(spec.commandLine(), "--threads must be at least 1, not $threads")
         sizes.firstOrNull { !(it >= 1 && it <= MOST) }
             ?.let { throw ParameterException(spec.commandLine(), "--sizes must be from 1 to 1e8, not $it") }
-        val options = MeshOptions.builder().maxElements(Int.MAX_VALUE).build()
+        val options = MeshOptions.builder().maxElements(Int.MAX_VALUE).threads(threads).build()
         val tables = if (compare) {
             PeerProgram(System.getenv("TRIGRID_PYTHON") ?: "python3", peerLimit).use { tables(options, it) }
         } else {

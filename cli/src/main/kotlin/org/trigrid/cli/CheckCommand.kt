@@ -5,6 +5,7 @@ import org.trigrid.project.DomainInputs
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Mixin
+import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Parameters
 import picocli.CommandLine.Spec
 import java.nio.file.Path
@@ -33,6 +34,7 @@ internal class CheckCommand(private val session: Session) : Callable<Int> {
 
     override fun call(): Int {
         val options = arguments.toOptions(spec.commandLine())
+        if (MeshInput.isMesh(input)) throw ParameterException(spec.commandLine(), "$input is a mesh; 'trigrid info' checks meshes")
         val lines = FaultLines(session.terminal.err, input.toString())
         var isFaulty = false
         for (given in InputFailure.naming(input) { DomainInputs.read(input, options) }) {

@@ -2,6 +2,7 @@ package org.trigrid.cli
 
 import picocli.CommandLine
 import picocli.CommandLine.Help.Ansi
+import picocli.CommandLine.UnmatchedArgumentException
 import java.io.PrintWriter
 
 /** Puts the commands together and decides what their failures print and return. */
@@ -24,6 +25,8 @@ internal object CommandLineFactory {
             .addSubcommand(CompletionCommand(session))
             .addSubcommand(ManCommand(session))
             .setCaseInsensitiveEnumValuesAllowed(true)
+            // A file may be named @plate.wkt.
+            .setExpandAtFiles(false)
             .setUsageHelpWidth(HELP_WIDTH)
             .setColorScheme(CommandLine.Help.defaultColorScheme(if (terminal.showsProgress) Ansi.AUTO else Ansi.OFF))
             .setOut(PrintWriter(terminal.out, true))
@@ -38,8 +41,18 @@ internal object CommandLineFactory {
     /** One line that says what is wrong, one that says where to read on; never the whole help. */
     private fun usageError(error: CommandLine.ParameterException, terminal: Terminal): Int {
         val command = error.commandLine.commandSpec.qualifiedName()
-        terminal.err.println("trigrid: " + error.message.orEmpty().lines().joinToString("; ") { it.trim() })
+        terminal.err.println("trigrid: " + messageOf(error))
         terminal.err.println("Try '$command --help'.")
         return ExitCodes.USAGE
+    }
+
+    private fun messageOf(error: CommandLine.ParameterException): String {
+        val strange = (error as? UnmatchedArgumentException)?.takeIf { !it.isUnknownOption }?.unmatched?.firstOrNull()
+        val commands = error.commandLine.subcommands.keys
+        return when {
+            strange == null -> error.message.orEmpty().lines().joinToString("; ") { it.trim() }
+            commands.isEmpty() -> "there is nothing to do with '$strange'"
+            else -> "there is no command '$strange'; there are ${commands.joinToString()}"
+        }
     }
 }

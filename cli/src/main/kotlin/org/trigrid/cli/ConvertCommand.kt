@@ -10,6 +10,7 @@ import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
 import org.trigrid.io.NamedDomain
 import org.trigrid.mesh.EdgeMiddles
+import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.project.DomainInputs
 import org.trigrid.project.NodeLoop
 import org.trigrid.project.Project
@@ -100,18 +101,25 @@ internal class ConvertCommand(private val session: Session) : Callable<Int> {
         val meshFormat = if (asDomain == null) MeshOutput.format(format, to, spec.commandLine()) else null
         ordering.check(meshFormat, spec.commandLine())
         OutputPlace.check(to)
-        if (ordering.order == 2) return raise(from, to, meshFormat!!)
-        return MeshInput.readEither(from, { mesh ->
-            if (meshFormat != null) MeshFormats.write(mesh, to, meshFormat)
-            else writeDomains(listOf(NamedDomain(mesh.regionName, mesh.outline())), to, asDomain!!)
-            session.terminal.out.println("$to: ${mesh.nodeCount} nodes, ${mesh.elementCount} elements")
-            ExitCodes.DONE
-        }) { mesh ->
-            if (meshFormat == null) throw java.io.IOException("$from has triangles of six nodes; their outline is not written as a domain")
-            MeshOutput.write(mesh, to, meshFormat, spec.commandLine())
-            session.terminal.out.println("$to: ${mesh.nodeCount} nodes, ${mesh.elementCount} elements of six nodes")
-            ExitCodes.DONE
+        val read = MeshInput.readEither(from)
+        val quadratic = read.quadratic
+        if (ordering.order == 2 && quadratic == null) return raise(from, to, meshFormat!!)
+        if (quadratic != null && meshFormat != null && ordering.given != 1) return copy(quadratic, from, to, meshFormat)
+        val mesh = read.corners
+        if (meshFormat != null) MeshFormats.write(mesh, to, meshFormat)
+        else writeDomains(listOf(NamedDomain(mesh.regionName, mesh.outline())), to, asDomain!!)
+        session.terminal.out.println("$to: ${mesh.nodeCount} nodes, ${mesh.elementCount} elements")
+        return ExitCodes.DONE
+    }
+
+    private fun copy(mesh: QuadraticMesh, from: Path, to: Path, meshFormat: MeshFormat): Int {
+        if (project != null) throw ParameterException(spec.commandLine(), "--project is for elements of three nodes; those of $from have six")
+        if (meshFormat.highestOrder < 2) {
+            throw ParameterException(spec.commandLine(), "the elements of $from have six nodes, which ${meshFormat.name} has not; --order 1 leaves their corners")
         }
+        MeshFormats.write(mesh, to, meshFormat)
+        session.terminal.out.println("$to: ${mesh.elementCount} elements, ${MeshFigures.secondOrder(mesh)}")
+        return ExitCodes.DONE
     }
 
     /** Writes a mesh with elements of six nodes. */

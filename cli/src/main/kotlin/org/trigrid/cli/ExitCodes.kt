@@ -1,7 +1,7 @@
 package org.trigrid.cli
 
 /** What the process tells its caller; documented in `docs/cli.md`. */
-internal object ExitCodes {
+object ExitCodes {
     const val DONE = 0
 
     /** A defect of TriGrid itself, or too little memory. */

@@ -8,7 +8,7 @@ import picocli.CommandLine.Option
 import picocli.CommandLine.ParameterException
 
 /** The options that say how a file becomes a domain: where its boundary nodes lie and what becomes of connectors. */
-internal class ExplodingArguments {
+class ExplodingArguments {
     @Option(
         names = ["--spacing"], paramLabel = "S",
         description = [

@@ -11,6 +11,7 @@ import java.io.PrintStream
 import java.nio.file.AccessDeniedException
 import java.nio.file.FileAlreadyExistsException
 import java.nio.file.FileSystemException
+import java.nio.file.Files
 import java.nio.file.NoSuchFileException
 import java.nio.file.NotDirectoryException
 import java.nio.file.Path
@@ -52,14 +53,18 @@ internal class Failures(private val err: PrintStream) {
     }
 }
 
-/** What went wrong with one of the files of the command line. */
+/** What went wrong with one of the files of the command line, which a folder cannot be. */
 internal class InputFailure(val file: String, val reason: Exception) : RuntimeException(reason) {
     companion object {
         /** Does [work] and lets what TriGrid throws in it know which [file] it is about. */
-        fun <T> naming(file: Path, work: () -> T): T = try {
-            work()
-        } catch (error: TriGridException) {
-            throw InputFailure(file.toString(), error)
+        fun <T> naming(file: Path, work: () -> T): T {
+            if (file.toString().isEmpty()) throw FileSystemException("''", null, "an empty name is that of no file")
+            if (Files.isDirectory(file)) throw FileSystemException(file.toString(), null, OutputPlace.A_FOLDER)
+            return try {
+                work()
+            } catch (error: TriGridException) {
+                throw InputFailure(file.toString(), error)
+            }
         }
     }
 }

@@ -1,6 +1,5 @@
 package org.trigrid.cli
 
-import org.trigrid.domain.Region
 import org.trigrid.mesh.MeshCheck
 import org.trigrid.mesh.MeshViolation
 import org.trigrid.mesh.QuadraticMesh
@@ -23,25 +22,31 @@ internal class InfoCommand(private val session: Session) : Callable<Int> {
     @Parameters(paramLabel = "FILE", description = ["A mesh file: .msh, .vtu, .mesh, .ele."])
     lateinit var file: Path
 
-    override fun call(): Int = MeshInput.readEither(file, ::tell) {
-        session.terminal.out.print(describe(it))
-        ExitCodes.DONE
+    override fun call(): Int {
+        val read = MeshInput.readEither(file)
+        session.terminal.out.print(describe(read.corners, read.quadratic))
+        val faults = MeshCheck.check(read.corners).map { line(it) } + read.quadratic?.let { folded(it) }.orEmpty()
+        for (fault in faults) session.terminal.err.println(fault)
+        return if (faults.isEmpty()) ExitCodes.DONE else ExitCodes.INVALID_DOMAIN
     }
 
-    private fun tell(mesh: TriMesh): Int {
-        session.terminal.out.print(describe(mesh))
-        val violations = MeshCheck.check(mesh)
-        for (violation in violations) session.terminal.err.println(line(violation))
-        return if (violations.isEmpty()) ExitCodes.DONE else ExitCodes.INVALID_DOMAIN
+    /** Elements of six nodes that are not the image of a triangle. */
+    private fun folded(mesh: QuadraticMesh): List<String> = (0 until mesh.elementCount).filter { !(mesh.leastJacobian(it) > 0) }.map {
+        val corner = mesh.nodeOf(it, 0)
+        "$file: FOLDED at (${mesh.x(corner)}, ${mesh.y(corner)}): the Jacobian of element $it falls to ${mesh.leastJacobian(it)}"
     }
 
-    private fun describe(mesh: TriMesh): String = buildString {
+    private fun describe(mesh: TriMesh, quadratic: QuadraticMesh?): String = buildString {
         val quality = QualityReport.of(mesh)
-        val numbering = NumberingMetrics.of(mesh)
-        line("nodes", mesh.nodeCount)
+        val numbering = if (quadratic == null) NumberingMetrics.of(mesh) else NumberingMetrics.of(quadratic)
+        if (quadratic == null) line("nodes", mesh.nodeCount)
+        else line("nodes", "${quadratic.nodeCount}, six an element, ${mesh.nodeCount} of them corners")
         line("elements", mesh.elementCount)
         line("boundary edges", mesh.boundaryEdgeCount)
-        for (region in mesh.regions) region(region, mesh.elementsIn(region.name).size, mesh.regions.size > 1)
+        for (region in mesh.regions) {
+            val count = if (mesh.regions.size == 1) "" else ", ${mesh.elementsIn(region.name).size} elements"
+            line("region", region.name + (if (region.material > 0) " (material ${region.material})" else "") + count)
+        }
         if (mesh.pointCount > 0) line("points", mesh.pointCount)
         line("tags", mesh.tags.joinToString { it.ifEmpty { "(unnamed)" } })
         line("quality", "min ${Figures.of(quality.minQuality)}, 5 % ${Figures.of(quality.quality05)}, mean ${Figures.of(quality.meanQuality)}")
@@ -53,27 +58,6 @@ internal class InfoCommand(private val session: Session) : Callable<Int> {
         line("six neighbours", Figures.percent(quality.degree6) + " of the interior nodes")
         line("bandwidth", numbering.bandwidth)
         line("profile", numbering.profile)
-    }
-
-    private fun describe(mesh: QuadraticMesh): String = buildString {
-        val numbering = NumberingMetrics.of(mesh)
-        line("nodes", mesh.nodeCount)
-        line("elements", "${mesh.elementCount} of six nodes")
-        line("boundary edges", mesh.boundaryEdgeCount)
-        for ((r, region) in mesh.regions.withIndex()) {
-            region(region, (0 until mesh.elementCount).count { mesh.regionOf(it) == r }, mesh.regions.size > 1)
-        }
-        if (mesh.pointCount > 0) line("points", mesh.pointCount)
-        line("tags", mesh.tags.joinToString { it.ifEmpty { "(unnamed)" } })
-        val jacobian = (0 until mesh.elementCount).minOf { mesh.leastJacobian(it) / (2 * mesh.area(it)) }
-        line("least Jacobian", Figures.of(jacobian) + " of the element's mean")
-        line("bandwidth", numbering.bandwidth)
-        line("profile", numbering.profile)
-    }
-
-    private fun StringBuilder.region(region: Region, elements: Int, isOneOfSeveral: Boolean) {
-        val material = if (region.material > 0) " (material ${region.material})" else ""
-        line("region", region.name + material + if (isOneOfSeveral) ", $elements elements" else "")
     }
 
     private fun StringBuilder.line(name: String, value: Any) {

@@ -31,7 +31,14 @@ fun run(arguments: Array<String>, out: PrintStream, err: PrintStream): Int =
     run(arguments, Terminal(out, err, showsProgress = false), Cancellation())
 
 internal fun run(arguments: Array<String>, terminal: Terminal, cancellation: Cancellation): Int = try {
-    CommandLineFactory.create(Session(terminal, cancellation)).execute(*arguments)
+    val code = CommandLineFactory.create(Session(terminal, cancellation)).execute(*arguments)
+    val trouble = terminal.trouble()
+    if (trouble == null) {
+        code
+    } else {
+        terminal.err.println("standard output: $trouble")
+        if (code == ExitCodes.DONE) ExitCodes.FILE_TROUBLE else code
+    }
 } catch (_: OutOfMemoryError) {
     terminal.err.println("trigrid: not enough memory; give more with TRIGRID_JAVA_OPTS=-Xmx8g or the like")
     ExitCodes.DEFECT

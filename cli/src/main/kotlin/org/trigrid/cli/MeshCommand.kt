@@ -5,7 +5,9 @@ import org.trigrid.cli.batch.BatchFiles
 import org.trigrid.cli.batch.BatchLog
 import org.trigrid.cli.batch.BatchPlan
 import org.trigrid.cli.batch.BatchRun
+import org.trigrid.cli.batch.MadeMeshes
 import org.trigrid.io.AtomicFile
+import org.trigrid.io.MeshFormat
 import org.trigrid.mesh.TriMesh
 import org.trigrid.picture.Pictures
 import org.trigrid.project.DomainInput
@@ -71,7 +73,7 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
     @Option(names = ["--jobs"], paramLabel = "N", description = ["With --out-dir: meshes made at a time. Default: as many as processors."])
     var jobs: Int? = null
 
-    @Option(names = ["--resume"], description = ["With --out-dir: leave meshes that are newer than their input, and add to the report."])
+    @Option(names = ["--resume"], description = ["With --out-dir and --report: leave meshes that the report has, of the same input and options, and add to it."])
     var resume: Boolean = false
 
     @Mixin
@@ -99,9 +101,11 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
         val target = output ?: usage("say where the mesh goes: --output OUT, or --out-dir DIR for many")
         if (jobs != null || resume) usage("--jobs and --resume are for --out-dir")
         val input = Path.of(inputs.singleOrNull() ?: usage("several files need --out-dir, not --output"))
+        if (Files.isDirectory(input) && input.toString().isNotEmpty()) usage("$input is a folder; with --out-dir all its files are meshed")
+        if (target.toString() == STANDARD_OUTPUT) usage("meshes are written to files, not to standard output; give a name to --output")
         val meshFormat = MeshOutput.format(format, target, spec.commandLine())
         ordering.check(meshFormat, spec.commandLine())
-        checkPlaces(target)
+        checkPlaces(input, target, meshFormat)
         val clock = RunClock()
         val domains = clock.reading { InputFailure.naming(input) { DomainInputs.read(input, inputOptions) } }
         val figures = domains.mapIndexed { i, domain ->
@@ -119,8 +123,11 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
     private fun usage(message: String): Nothing = throw ParameterException(spec.commandLine(), message)
 
     /** Finds out before the work starts what would only fail after it. */
-    private fun checkPlaces(target: Path) {
+    private fun checkPlaces(input: Path, target: Path, meshFormat: MeshFormat) {
         OutputPlace.check(target)
+        val written = meshFormat.filesOf(target).map { "the mesh" to it } +
+            listOfNotNull(picture?.let { "the picture" to it }, report?.takeIf { it != STANDARD_OUTPUT }?.let { "the report" to Path.of(it) })
+        OutputPlace.checkApart(listOf("the input" to input) + written, spec.commandLine())
         picture?.let {
             PictureOutput.checkName(it, spec.commandLine())
             OutputPlace.check(it)
@@ -131,18 +138,26 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
     private fun meshMany(folder: Path, inputOptions: InputOptions): Int {
         if (output != null) usage("--output is for one file, --out-dir for many")
         if (picture != null) usage("--picture is for one file; 'trigrid picture' draws the meshes afterwards")
+        if (folder.toString().isEmpty() || inputs.any { it.isEmpty() }) usage("an empty name is that of no file or folder")
         val threads = jobs ?: Runtime.getRuntime().availableProcessors()
         if (threads !in 1..MOST_JOBS) usage("--jobs must be from 1 to $MOST_JOBS, not $threads")
+        val remembered = report?.takeIf { it != STANDARD_OUTPUT }?.let { Path.of(it) }
+        if (resume && remembered == null) usage("--resume needs --report FILE, which remembers of what each mesh was made")
         val meshFormat = MeshOutput.format(format, null, spec.commandLine())
         ordering.check(meshFormat, spec.commandLine())
         val files = BatchFiles(folder, meshFormat.endings[0], spec.commandLine()).of(inputs)
         Files.createDirectories(folder)
-        report?.let { if (it != STANDARD_OUTPUT) OutputPlace.check(Path.of(it)) }
-        val plan = BatchPlan(inputOptions, meshFormat, ordering.order, threads, resume) { meshing.over(it, spec.commandLine()) }
+        remembered?.let { file ->
+            OutputPlace.check(file)
+            OutputPlace.checkApart(files.map { "an input" to it.input } + ("the report" to file), spec.commandLine())
+        }
+        val made = if (resume && remembered != null) MadeMeshes.of(remembered) else MadeMeshes.NONE
+        val plan = BatchPlan(inputOptions, meshFormat, ordering.order, threads, made) { meshing.over(it, spec.commandLine()) }
         BatchLog.open(report, session.terminal.out, resume).use { log ->
             val batch = BatchRun(session, plan, files, log)
             val code = batch.run()
             if (report != STANDARD_OUTPUT) session.terminal.out.println("$folder: ${batch.summary()}")
+            if (code == ExitCodes.CANCELLED) session.terminal.err.println("$folder: cancelled" + if (remembered == null) "" else "; --resume goes on")
             return code
         }
     }

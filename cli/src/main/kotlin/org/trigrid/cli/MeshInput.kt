@@ -1,34 +1,32 @@
 package org.trigrid.cli
 
 import org.trigrid.diagnostics.FileFormatException
+import org.trigrid.io.DomainFormats
 import org.trigrid.io.MeshFormats
-import org.trigrid.mesh.QuadraticMesh
+import org.trigrid.io.ReadMesh
 import org.trigrid.mesh.TriMesh
+import org.trigrid.project.DomainInputs
+import java.nio.file.Files
 import java.nio.file.Path
 
 /** Tells mesh files from domain files and reads them. */
 internal object MeshInput {
     fun isMesh(file: Path): Boolean = MeshFormats.forReading(file) != null
 
-    fun read(file: Path): TriMesh = InputFailure.naming(file) { MeshFormats.read(file) }
-
-    /** Calls [linear] or, for a mesh of six-node triangles, [quadratic] with the mesh of [file]. */
-    inline fun <T> readEither(file: Path, linear: (TriMesh) -> T, quadratic: (QuadraticMesh) -> T): T {
-        val mesh = InputFailure.naming(file) {
-            try {
-                MeshFormats.read(file)
-            } catch (error: FileFormatException) {
-                if (!isQuadratic(file)) throw error else null
-            }
-        }
-        if (mesh != null) return linear(mesh)
-        return quadratic(InputFailure.naming(file) { MeshFormats.readSecondOrder(file) })
+    /** Of elements of three nodes. */
+    fun read(file: Path): TriMesh {
+        val mesh = readEither(file)
+        if (mesh.order == 1) return mesh.corners
+        val advice = "'trigrid convert --order 1' leaves their corners"
+        throw InputFailure(file.toString(), FileFormatException(file.toString(), 0, 0, "the elements have six nodes, not three; $advice"))
     }
 
-    /** Only asked of files that are no mesh of three-node triangles, so that others are read once. */
-    fun isQuadratic(file: Path): Boolean = try {
-        MeshFormats.orderOf(file) == 2
-    } catch (_: FileFormatException) {
-        false
+    /** Also of elements of six nodes. */
+    fun readEither(file: Path): ReadMesh = InputFailure.naming(file) {
+        val holdsDomains = !isMesh(file) && (DomainInputs.isProject(file) || DomainFormats.forFile(file) != null)
+        if (holdsDomains && Files.exists(file)) {
+            throw FileFormatException(file.toString(), 0, 0, "this is a file of domains, not of a mesh; 'trigrid mesh' makes one")
+        }
+        MeshFormats.readEither(file)
     }
 }

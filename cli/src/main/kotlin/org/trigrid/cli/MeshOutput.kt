@@ -1,15 +1,13 @@
 package org.trigrid.cli
 
-import org.trigrid.io.DomainFormats
 import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
-import org.trigrid.mesh.QuadraticMesh
 import picocli.CommandLine
 import picocli.CommandLine.ParameterException
 import java.nio.file.Path
 
 /** In which format a mesh goes to a file. */
-internal object MeshOutput {
+object MeshOutput {
     /**
      * That of [name], else of the file's ending, MSH 2.2 for a file without one; anything else is a usage error.
      */
@@ -27,16 +25,7 @@ internal object MeshOutput {
         return found ?: MeshFormat.MSH_22
     }
 
-    /** A format without elements of six nodes is a usage error. */
-    fun write(mesh: QuadraticMesh, file: Path, format: MeshFormat, commandLine: CommandLine) {
-        if (format.highestOrder < 2) throw ParameterException(commandLine, "${format.name} has no elements of six nodes")
-        MeshFormats.write(mesh, file, format)
-    }
-
     fun names(): String = MeshFormats.all().filter { it.canWrite }.joinToString { it.name }
 
     fun endings(): String = MeshFormats.all().filter { it.canWrite }.flatMap { it.endings.take(2) }.distinct().joinToString(" ")
-
-    /** Endings of files with domains, and of projects. */
-    fun domainEndings(): List<String> = listOf(".trigrid.json") + DomainFormats.all().flatMap { it.endings }.distinct()
 }

@@ -33,9 +33,8 @@ internal class MeshOutputArguments {
     fun write(mesh: TriMesh, commandLine: CommandLine): Unit =
         MeshFormats.write(mesh, output, MeshOutput.format(format, output, commandLine))
 
-    /** A format without elements of six nodes is a usage error. */
     fun write(mesh: QuadraticMesh, commandLine: CommandLine): Unit =
-        MeshOutput.write(mesh, output, MeshOutput.format(format, output, commandLine), commandLine)
+        MeshFormats.write(mesh, output, MeshOutput.format(format, output, commandLine))
 }
 
 /** Reads meshes that must be valid to be worked on. */
@@ -43,13 +42,8 @@ internal class ValidMesh(private val session: Session) {
     /** Null if the mesh of [file] is not valid; the violations are printed. */
     fun read(file: Path): TriMesh? {
         val mesh = MeshInput.read(file)
-        return mesh.takeIf { isValid(mesh, file) }
-    }
-
-    /** Prints the violations of the mesh of [file], if there are any. */
-    fun isValid(mesh: TriMesh, file: Path): Boolean {
         val violations = MeshCheck.check(mesh)
         for (it in violations) session.terminal.err.println("$file: ${it.kind} at (${it.x}, ${it.y}): ${it.message}")
-        return violations.isEmpty()
+        return mesh.takeIf { violations.isEmpty() }
     }
 }

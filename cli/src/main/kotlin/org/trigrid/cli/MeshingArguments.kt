@@ -8,9 +8,10 @@ import org.trigrid.spacing.Sizes
 import picocli.CommandLine
 import picocli.CommandLine.Option
 import picocli.CommandLine.ParameterException
+import java.io.Serializable
 
-/** The options that say how to mesh; what is not given stays as the project file says, or at its default. */
-internal class MeshingArguments {
+/** The options that say how to mesh, here or on another machine; what is not given stays as the project file says, or at its default. */
+class MeshingArguments : Serializable {
     @Option(
         names = ["--sizes"], paramLabel = "MODE",
         description = [
@@ -53,6 +54,12 @@ internal class MeshingArguments {
     )
     var maxElements: Int? = null
 
+    @Option(
+        names = ["--threads"], paramLabel = "N",
+        description = ["Threads that share the work on a mesh of 150,000 elements or more, > 0; the mesh is the same. Default: 1."],
+    )
+    var threads: Int? = null
+
     @Option(names = ["--no-improve"], description = ["Leave the elements as the front made them."])
     var noImprove: Boolean = false
 
@@ -61,6 +68,13 @@ internal class MeshingArguments {
 
     /** [base] with the options given laid over it; a value out of range is a usage error. */
     fun over(base: MeshOptions, commandLine: CommandLine): MeshOptions = try {
+        over(base)
+    } catch (error: IllegalArgumentException) {
+        throw ParameterException(commandLine, error.message)
+    }
+
+    /** As the other. @throws IllegalArgumentException if a value is out of range. */
+    fun over(base: MeshOptions): MeshOptions {
         val builder = base.toBuilder()
         sizes?.let { builder.sizes(it) }
         gradation?.let { builder.gradation(it) }
@@ -69,11 +83,10 @@ internal class MeshingArguments {
         if (sizeSources.isNotEmpty()) builder.sizeSources(sizeSources.fold(base.sizeSources, ::withSource))
         strategy?.let { builder.strategy(it) }
         maxElements?.let { builder.maxElements(it) }
+        threads?.let { builder.threads(it) }
         if (noImprove) builder.improve(false)
         if (noRenumber) builder.numbering(NumberingMethod.NONE)
-        builder.build()
-    } catch (error: IllegalArgumentException) {
-        throw ParameterException(commandLine, error.message)
+        return builder.build()
     }
 
     private fun withSource(sources: SizeSources, text: String): SizeSources {
@@ -82,5 +95,9 @@ internal class MeshingArguments {
         require(size != null && null !in place && place.size % 2 == 0) { "--size-source must be of the form H@X,Y or H@X,Y,X,Y,..., not $text" }
         val xy = place.filterNotNull().toDoubleArray()
         return if (xy.size == 2) sources.withPoint(size, xy[0], xy[1]) else sources.withLine(size, *xy)
+    }
+
+    private companion object {
+        private const val serialVersionUID = 1L
     }
 }

@@ -3,7 +3,7 @@ package org.trigrid.cli
 import java.nio.file.Path
 
 /** Names of output files where one input holds several domains: OUT-1.msh, OUT-2.msh, … */
-internal object NumberedFiles {
+object NumberedFiles {
     /** [file] itself for the only one of [count], else with the number [index] + 1 before its extension. */
     fun name(file: Path, index: Int, count: Int): Path {
         if (count == 1) return file

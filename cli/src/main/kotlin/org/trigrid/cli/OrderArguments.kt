@@ -7,12 +7,17 @@ import picocli.CommandLine.Option
 import picocli.CommandLine.ParameterException
 
 /** The option that says how many nodes the elements of a written mesh have. */
-internal class OrderArguments {
+class OrderArguments {
     @Option(
         names = ["--order"], paramLabel = "N",
-        description = ["2: elements of six nodes, the middles of boundary edges on the curves of a project. Default: 1, of three."],
+        description = [
+            "2: elements of six nodes, the middles of boundary edges on the curves of a project. Default: 1, of three; or that of a mesh " +
+                "that is read.",
+        ],
     )
-    var order: Int = 1
+    var given: Int? = null
+
+    val order: Int get() = given ?: 1
 
     /** A number that is no order, or an order that [format] does not have, is a usage error. */
     fun check(format: MeshFormat?, commandLine: CommandLine) {

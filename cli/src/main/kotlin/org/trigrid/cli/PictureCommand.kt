@@ -64,7 +64,7 @@ internal class PictureCommand(private val session: Session) : Callable<Int> {
         val inputOptions = exploding.toOptions(spec.commandLine())
         checkArguments()
         if (MeshInput.isMesh(input)) {
-            PictureOutput.write(show.of(MeshInput.read(input), null), output, pixels)
+            PictureOutput.write(show.of(MeshInput.readEither(input).corners, null), output, pixels)
             return ExitCodes.DONE
         }
         val inputs = InputFailure.naming(input) { DomainInputs.read(input, inputOptions) }
@@ -83,6 +83,7 @@ internal class PictureCommand(private val session: Session) : Callable<Int> {
             throw ParameterException(commandLine, "--show domain needs a domain, not a mesh file")
         }
         OutputPlace.check(output)
+        OutputPlace.checkApart(listOf("the input" to input, "the picture" to output), commandLine)
     }
 
     private fun draw(given: DomainInput): Picture {

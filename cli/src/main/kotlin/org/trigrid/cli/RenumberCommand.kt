@@ -1,7 +1,5 @@
 package org.trigrid.cli
 
-import org.trigrid.mesh.QuadraticMesh
-import org.trigrid.mesh.TriMesh
 import org.trigrid.numbering.Numbering
 import org.trigrid.numbering.NumberingMethod
 import org.trigrid.numbering.NumberingMetrics
@@ -40,30 +38,27 @@ internal class RenumberCommand(private val session: Session) : Callable<Int> {
         val method = METHODS[numbering]
             ?: throw ParameterException(spec.commandLine(), "--numbering must be best or cuthill-mckee, not $numbering")
         target.check(spec.commandLine())
-        return MeshInput.readEither(input, { renumber(it, method) }, { renumber(it, method) })
+        val quadratic = MeshInput.readEither(input).quadratic ?: return renumber(method)
+        if (target.check(spec.commandLine()).highestOrder < 2) {
+            throw ParameterException(spec.commandLine(), "the elements of $input have six nodes; choose a format that has them with --format")
+        }
+        val renumbered = Numbering.renumber(quadratic, method)
+        target.write(renumbered, spec.commandLine())
+        tell(quadratic.nodeCount, Numbering.metrics(quadratic), Numbering.metrics(renumbered))
+        return ExitCodes.DONE
     }
 
-    private fun renumber(mesh: TriMesh, method: NumberingMethod): Int {
-        if (!ValidMesh(session).isValid(mesh, input)) return ExitCodes.INVALID_DOMAIN
+    private fun renumber(method: NumberingMethod): Int {
+        val mesh = ValidMesh(session).read(input) ?: return ExitCodes.INVALID_DOMAIN
         val renumbered = Numbering.renumber(mesh, method)
         target.write(renumbered, spec.commandLine())
         tell(mesh.nodeCount, Numbering.metrics(mesh), Numbering.metrics(renumbered))
         return ExitCodes.DONE
     }
 
-    private fun renumber(mesh: QuadraticMesh, method: NumberingMethod): Int {
-        val renumbered = Numbering.renumber(mesh, method)
-        target.write(renumbered, spec.commandLine())
-        tell(mesh.nodeCount, NumberingMetrics.of(mesh), NumberingMetrics.of(renumbered))
-        return ExitCodes.DONE
-    }
-
-    private fun tell(nodes: Int, before: NumberingMetrics, after: NumberingMetrics) {
-        session.terminal.out.println(
-            "${target.output}: $nodes nodes, bandwidth ${before.bandwidth} -> ${after.bandwidth}, " +
-                "profile ${before.profile} -> ${after.profile}",
-        )
-    }
+    private fun tell(nodes: Int, before: NumberingMetrics, after: NumberingMetrics) = session.terminal.out.println(
+        "${target.output}: $nodes nodes, bandwidth ${before.bandwidth} -> ${after.bandwidth}, profile ${before.profile} -> ${after.profile}",
+    )
 
     private companion object {
         val METHODS = mapOf("best" to NumberingMethod.BEST, "cuthill-mckee" to NumberingMethod.CUTHILL_MCKEE)

@@ -25,11 +25,22 @@ internal object ReportJson {
         return json.encodeToString(JsonElement.serializer(), root) + "\n"
     }
 
-    /** One object on one line, for a mesh of a batch. */
-    fun line(input: Path, output: Path, figures: MeshFigures): String = JsonObject(
-        mapOf("file" to JsonPrimitive(input.toString()), "status" to JsonPrimitive("done"), "output" to JsonPrimitive(output.toString())) +
-            of(figures),
-    ).toString()
+    /**
+     * One object on one line, for a mesh of a batch.
+     *
+     * @param fingerprint of all that it is made of.
+     * @param written when its file was, in milliseconds since 1970.
+     */
+    fun line(input: Path, output: Path, fingerprint: String, written: Long, figures: MeshFigures): String {
+        val head = buildJsonObject {
+            put("file", input.toString())
+            put("status", "done")
+            put("output", output.toString())
+            put("fingerprint", fingerprint)
+            put("written", written)
+        }
+        return JsonObject(head + of(figures)).toString()
+    }
 
     /** One object on one line, for a file or a domain of a batch that has no mesh. */
     fun failure(input: Path, name: String?, code: Int, error: String): String = buildJsonObject {

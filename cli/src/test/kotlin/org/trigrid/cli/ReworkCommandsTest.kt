@@ -157,25 +157,4 @@ class ReworkCommandsTest {
             assertTrue(Files.notExists(folder.resolve("x.msh")))
         }
     }
-
-    @Test
-    fun `meshes of six-node triangles are told, converted and renumbered`() {
-        val mesh = plateMesh("--order", "2", "--no-renumber")
-        val info = Outcome.of("info", mesh)
-        assertEquals(ExitCodes.DONE, info.code, info.err)
-        assertTrue(" of six nodes" in info.out && "least Jacobian: 1" in info.out) { info.out }
-        val vtu = folder.resolve("six.vtu")
-        assertEquals(ExitCodes.DONE, Outcome.of("convert", mesh, vtu).code)
-        val sorted = folder.resolve("sorted.mesh")
-        val outcome = Outcome.of("renumber", vtu, "-o", sorted)
-        assertEquals(ExitCodes.DONE, outcome.code, outcome.err)
-        val (before, after) = Regex("bandwidth (\\d+) -> (\\d+)").find(outcome.out)!!.destructured
-        assertTrue(after.toInt() < before.toInt()) { outcome.out }
-        assertEquals(MeshFormats.readSecondOrder(mesh).elementCount, MeshFormats.readSecondOrder(sorted).elementCount)
-        assertEquals(ExitCodes.USAGE, Outcome.of("convert", mesh, folder.resolve("six.su2")).code)
-        assertEquals(ExitCodes.FILE_TROUBLE, Outcome.of("convert", mesh, folder.resolve("six.wkt")).code)
-        val refusal = Outcome.of("improve", mesh, "-o", folder.resolve("better.msh"))
-        assertEquals(ExitCodes.FILE_TROUBLE, refusal.code)
-        assertTrue("six nodes" in refusal.err) { refusal.err }
-    }
 }

@@ -88,8 +88,8 @@ public class Path private constructor(internal val steps: List<PathStep>) {
     }
 
     /**
-     * Another shape in place of one; edits of that one's nodes are dropped. Of a connector made by [connect] spacing and name
-     * change, its ends stay at their nodes.
+     * Another shape in place of one; edits of that one's nodes are dropped, unless only the name is another. Of a connector
+     * made by [connect] spacing and name change, its ends stay at their nodes.
      *
      * @throws IllegalArgumentException if something else than a line is to take the place of such a connector.
      */
@@ -101,6 +101,8 @@ public class Path private constructor(internal val steps: List<PathStep>) {
             return Path(PathHistory.withoutEdits(steps, replay, shape, mapOf(index to ConnectStep(by, old.from, old.to, old.isTurned))))
         }
         val step = AppendStep(by, old.isConnector)
+        val isOnlyRenamed = by.name != old.shape.name && by == old.shape.withName(by.name)
+        if (isOnlyRenamed) return Path(steps.mapIndexed { i, other -> if (i == index) step else other })
         return Path(PathHistory.withoutEdits(steps, replay, shape, mapOf(index to step)))
     }
 

@@ -27,11 +27,15 @@ internal class MeshImprover(
     private val trials = PatchTrials(connectivity, ideal, changes, splitter)
     private val worst = WorstSmoother(connectivity, changes, tolerance)
 
-    /** Improves the mesh and compacts it. */
-    fun run() {
+    /**
+     * Improves the mesh and compacts it.
+     *
+     * @param changed nodes to begin with, if the mesh has been improved before; null for all.
+     */
+    fun run(changed: IntArray? = null) {
         progress.stage(0.05)
-        changes.touchAll()
-        flipper.runAll(progress)
+        if (changed == null) changes.touchAll() else for (node in changed) changes.touch(node)
+        flipper.runChanged(progress)
         for (round in 0 until ROUNDS) mendValences()
         for (round in 0 until TRIALS) {
             if (round > 0) smoother.sweep(progress)
@@ -39,7 +43,7 @@ internal class MeshImprover(
         }
         flipper.byQuality = true
         progress.stage(0.15)
-        flipper.runAll(progress)
+        if (changed == null) flipper.runAll(progress) else flipper.runChanged(progress)
         smoother.sweeps(LAST_SWEEPS, progress)
         for (round in 0 until WORST_ROUNDS) {
             progress.stage(0.04)

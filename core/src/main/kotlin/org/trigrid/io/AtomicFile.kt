@@ -5,6 +5,7 @@ import java.io.OutputStream
 import java.nio.file.AccessDeniedException
 import java.nio.file.AtomicMoveNotSupportedException
 import java.nio.file.FileAlreadyExistsException
+import java.nio.file.FileSystemException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption
@@ -28,18 +29,27 @@ public object AtomicFile {
     public fun write(path: Path, content: Content) {
         val place = if (Files.exists(path)) path.toRealPath() else path.toAbsolutePath()
         if (Files.exists(place) && !Files.isRegularFile(place)) {
-            Files.newOutputStream(place).use { content.writeTo(it) }
+            naming(path) { Files.newOutputStream(place).use { content.writeTo(it) } }
             return
         }
         if (Files.exists(place) && !Files.isWritable(place)) throw AccessDeniedException(place.toString())
         val draft = createBeside(place)
         try {
-            Files.newOutputStream(draft, StandardOpenOption.WRITE).use { content.writeTo(it) }
+            naming(path) { Files.newOutputStream(draft, StandardOpenOption.WRITE).use { content.writeTo(it) } }
             moveOver(draft, place)
         } catch (e: Throwable) {
             Files.deleteIfExists(draft)
             throw e
         }
+    }
+
+    /** A full disk, for instance, is told without the name of a file. */
+    private fun naming(path: Path, work: () -> Unit) = try {
+        work()
+    } catch (e: FileSystemException) {
+        throw e
+    } catch (e: IOException) {
+        throw FileSystemException(path.toString(), null, e.message).initCause(e)
     }
 
     /** An empty file of a new name, with the permissions that new files get. */

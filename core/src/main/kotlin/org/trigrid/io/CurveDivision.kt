@@ -1,5 +1,7 @@
 package org.trigrid.io
 
+import java.io.Serializable
+
 /** How the lines and curves of a file become boundary nodes. Immutable: the `with` functions return changed copies. */
 public class CurveDivision private constructor(
     /** Wanted distance of neighbouring nodes, in the unit of the coordinates; NaN for the nodes of the file. */
@@ -13,7 +15,7 @@ public class CurveDivision private constructor(
     @get:JvmName("join") public val join: Double,
     /** The unit of coordinates wanted where the file says its own; null for the file's. */
     @get:JvmName("unit") public val unit: LengthUnit?,
-) {
+) : Serializable {
     /** Whether lines and curves are divided anew. */
     public fun hasSpacing(): Boolean = !spacing.isNaN()
 
@@ -37,5 +39,7 @@ public class CurveDivision private constructor(
         /** Nodes of the file; curves divided by their bend. */
         @JvmField
         public val DEFAULT: CurveDivision = CurveDivision(Double.NaN, 1.0, Double.NaN, null)
+
+        private const val serialVersionUID = 1L
     }
 }

@@ -62,7 +62,15 @@ public abstract class DomainFormat internal constructor(
 }
 
 /** A text to be read as domains, and how its lines and curves are to be divided. */
-internal class DomainText(val file: Path, val text: String, private val division: CurveDivision = CurveDivision.DEFAULT) {
+internal class DomainText(
+    val file: Path,
+    val text: String,
+    private val division: CurveDivision = CurveDivision.DEFAULT,
+    /** Names the text in errors. */
+    val source: String = file.toString(),
+    /** Names domains that have no name of their own: the file's name up to its first dot. */
+    val baseName: String = DomainFormats.baseName(file),
+) {
     /** Wanted distance of neighbouring nodes on curves and lines; NaN to keep lines and to divide curves by their bend. */
     val spacing: Double get() = division.spacing
 
@@ -74,12 +82,6 @@ internal class DomainText(val file: Path, val text: String, private val division
 
     /** The unit of coordinates wanted, or null for the file's own. */
     val unit: LengthUnit? get() = division.unit
-
-    /** Names the text in errors. */
-    val source: String get() = file.toString()
-
-    /** Names domains that have no name of their own: the file's name up to its first dot. */
-    val baseName: String get() = DomainFormats.baseName(file)
 
     fun single(domain: Domain): List<NamedDomain> = listOf(NamedDomain(baseName, domain))
 }

@@ -2,7 +2,9 @@ package org.trigrid.io
 
 import org.trigrid.diagnostics.FileFormatException
 import java.io.IOException
+import java.nio.ByteBuffer
 import java.nio.charset.CharacterCodingException
+import java.nio.charset.Charset
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -53,12 +55,39 @@ public object DomainFormats {
     public fun read(file: Path, division: CurveDivision): List<NamedDomain> {
         val named = forFile(file)
         val text = textOf(file, named?.isOfAnyCharset == true)
-        val format = named ?: formatOf(text)
-            ?: throw FileFormatException(file.toString(), 0, 0, "this is none of the formats that are known")
-        val domains = format.read(DomainText(file, text, division))
-        if (format.hasCurves || !division.hasSpacing()) return domains
-        return domains.map { NamedDomain(it.name, it.domain.respaced(division.spacing, division.ratio)) }
+        val format = named ?: formatOf(text) ?: throw unknown(file.toString())
+        return divided(format, DomainText(file, text, division))
     }
+
+    /**
+     * All domains of a text that is not in a file, such as a column of a table; otherwise as [read].
+     *
+     * @param name names the text in errors, and domains that have no name of their own.
+     * @param format of the text, or null to tell it by how the text begins.
+     * @throws FileFormatException as [read] does.
+     * @throws org.trigrid.diagnostics.InvalidShapeException as [read] does.
+     * @throws IOException if the text asks for a file beside it, as `.poly` may, which a text does not have.
+     */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun parse(text: String, name: String, format: DomainFormat?, division: CurveDivision): List<NamedDomain> {
+        val known = format ?: formatOf(text) ?: throw unknown(name)
+        return divided(known, DomainText(Path.of("text" + known.endings[0]), text.removePrefix(BYTE_ORDER_MARK), division, name, name))
+    }
+
+    /** As the other, of the bytes of a file that is not at hand as one, such as one of an archive or of a cluster. */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun parse(bytes: ByteArray, name: String, format: DomainFormat?, division: CurveDivision): List<NamedDomain> =
+        parse(decoded(name, format?.isOfAnyCharset == true) { decode(bytes, it) }, name, format, division)
+
+    private fun divided(format: DomainFormat, input: DomainText): List<NamedDomain> {
+        val domains = format.read(input)
+        if (format.hasCurves || input.spacing.isNaN()) return domains
+        return domains.map { NamedDomain(it.name, it.domain.respaced(input.spacing, input.ratio)) }
+    }
+
+    private fun unknown(source: String) = FileFormatException(source, 0, 0, "this is none of the formats that are known")
 
     /**
      * Writes domains to one file; it is written beside its place and moved over it.
@@ -80,13 +109,19 @@ public object DomainFormats {
     internal fun textOf(file: Path): String = textOf(file, false)
 
     @Throws(IOException::class)
-    private fun textOf(file: Path, isOfAnyCharset: Boolean): String = try {
+    private fun textOf(file: Path, isOfAnyCharset: Boolean): String {
         ReadingMemory.check(file, ReadingMemory.TEXT)
-        Files.readString(file).removePrefix("\uFEFF")
-    } catch (e: CharacterCodingException) {
-        if (isOfAnyCharset) Files.readString(file, Charsets.ISO_8859_1)
-        else throw FileFormatException(file.toString(), 0, 0, "not a text file in UTF-8", e)
+        return decoded(file.toString(), isOfAnyCharset) { Files.readString(file, it) }.removePrefix(BYTE_ORDER_MARK)
     }
+
+    private fun decoded(source: String, isOfAnyCharset: Boolean, read: (Charset) -> String): String = try {
+        read(Charsets.UTF_8)
+    } catch (e: CharacterCodingException) {
+        if (isOfAnyCharset) read(Charsets.ISO_8859_1) else throw FileFormatException(source, 0, 0, "not a text file in UTF-8", e)
+    }
+
+    /** Refuses what is no text of the [charset]. */
+    private fun decode(bytes: ByteArray, charset: Charset): String = charset.newDecoder().decode(ByteBuffer.wrap(bytes)).toString()
 
     /** The file's name up to its first dot. */
     internal fun baseName(file: Path): String = file.fileName.toString().substringBefore('.').ifEmpty { "domain" }
@@ -95,4 +130,6 @@ public object DomainFormats {
         val line = text.lineSequence().map { it.trim() }.firstOrNull { it.isNotEmpty() && !it.startsWith("#") } ?: return null
         return ALL.firstOrNull { it.looksLike(line) }
     }
+
+    private const val BYTE_ORDER_MARK = "\uFEFF"
 }

@@ -3,8 +3,8 @@ package org.trigrid.io
 import org.trigrid.diagnostics.FileFormatException
 
 /**
- * AutoCAD's DXF, ASCII: LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE with bulges, SPLINE. Pieces whose ends meet are joined
- * to closed loops; the layer is the tag.
+ * AutoCAD's DXF, ASCII: LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE with bulges, SPLINE, and INSERT of blocks with them.
+ * Pieces whose ends meet are joined to closed loops; the layer is the tag.
  */
 internal class DxfFormat : DomainFormat("dxf", "DXF", listOf(".dxf"), hasCurves = true) {
     override val isOfAnyCharset: Boolean get() = true
@@ -14,10 +14,9 @@ internal class DxfFormat : DomainFormat("dxf", "DXF", listOf(".dxf"), hasCurves 
     override fun read(input: DomainText): List<NamedDomain> {
         ReadingMemory.check(input.source, input.text.length, ReadingMemory.DRAWING * input.text.length)
         val pairs = DxfPairs(input.text, input.source)
-        val drawing = DxfReader(pairs, input.unit)
-        drawing.read()
+        val pieces = DxfReader(pairs, input.unit).read()
         val outline = Outline(input, input.baseName)
-        OutlineJoining(drawing.pieces, input.join, pairs).addTo(outline)
+        OutlineJoining(pieces, input.join, pairs).addTo(outline)
         if (outline.isEmpty) pairs.fail("there is no closed outline in it")
         return input.single(outline.toDomain())
     }
@@ -39,13 +38,21 @@ internal class DxfPairs(text: String, private val source: String) : Complaint {
         if (text.startsWith("AutoCAD Binary DXF")) fail("binary DXF cannot be read, only ASCII")
     }
 
+    val isAtEnd: Boolean get() = at + 1 >= lines.size
+
     /** Goes on to the next pair; false at the end. */
     fun next(): Boolean {
-        if (at + 1 >= lines.size) return false
+        if (isAtEnd) return false
         code = lines[at].trim().toIntOrNull() ?: failAtLine(at + 1, "expected a group code, found '${lines[at].trim()}'")
         value = lines[at + 1].trim()
         at += 2
         return true
+    }
+
+    /** Goes on to the next entity, from one that was not understood; false at the end. */
+    fun toNextEntity(): Boolean {
+        while (next()) if (code == 0) return true
+        return false
     }
 
     fun number(): Double {

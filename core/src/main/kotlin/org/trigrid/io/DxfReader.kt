@@ -1,27 +1,44 @@
 package org.trigrid.io
 
+import org.trigrid.diagnostics.FileFormatException
+import java.util.Locale
+
 /**
- * Reads the entities that bound something; text, dimensions, hatches and points are passed over, blocks and entities of space refused.
+ * Reads the entities that bound something, those of blocks where they are inserted; text, dimensions, hatches and points are passed
+ * over, and so is what is hidden or on a sheet of paper; entities of space are refused.
  *
  * @param unit the unit wanted, or null for the file's own.
  */
 internal class DxfReader(private val pairs: DxfPairs, private val unit: LengthUnit?) {
-    val pieces = ArrayList<OutlinePiece>()
-    private var scale = 1.0
+    private val blocks = HashMap<String, DxfBlock>()
+    private val drawing = DxfBlock(0.0, 0.0)
+    private var fileUnit: LengthUnit? = null
 
-    fun read() {
+    /** Where entities go. */
+    private var target = drawing
+
+    /** The pieces of the drawing, in the unit wanted. */
+    fun read(): List<OutlinePiece> {
+        readSections()
+        val map = if (unit == null || drawing.items.isEmpty()) AffineMap.IDENTITY else scaleOf(unit).let { AffineMap(it, 0.0, 0.0, it, 0.0, 0.0) }
+        return DxfBlocks(blocks, pairs).pieces(drawing.items, map)
+    }
+
+    private fun readSections() {
         var section = ""
-        var fileUnit: LengthUnit? = null
         var more = pairs.next()
         while (more) {
             if (pairs.code == 0 && pairs.value == "SECTION") {
                 more = pairs.next()
                 if (more && pairs.code == 2) section = pairs.value
+                target = drawing
             } else if (section == "HEADER" && pairs.code == 9 && pairs.value == "\$INSUNITS") {
                 if (pairs.next() && pairs.code == 70) fileUnit = LengthUnit.ofDxf(pairs.int())
             } else if (section == "ENTITIES" && pairs.code == 0 && pairs.value != "ENDSEC") {
-                if (pieces.isEmpty()) scale = scaleOf(fileUnit)
                 more = readEntity()
+                continue
+            } else if (section == "BLOCKS" && pairs.code == 0 && pairs.value != "ENDSEC") {
+                more = readOfBlock()
                 continue
             } else if (pairs.code == 0 && pairs.value == "ENDSEC") {
                 section = ""
@@ -30,10 +47,31 @@ internal class DxfReader(private val pairs: DxfPairs, private val unit: LengthUn
         }
     }
 
-    private fun scaleOf(fileUnit: LengthUnit?): Double {
-        if (unit == null) return 1.0
-        if (fileUnit == null) pairs.fail("the file does not say its unit (\$INSUNITS), so that it cannot be converted")
-        return fileUnit.metres / unit.metres
+    private fun scaleOf(wanted: LengthUnit): Double {
+        val given = fileUnit ?: pairs.fail("the file does not say its unit (\$INSUNITS), so that it cannot be converted")
+        return given.metres / wanted.metres
+    }
+
+    /** What cannot be read in a block is told where the block is used. */
+    private fun readOfBlock(): Boolean = when (pairs.value) {
+        "BLOCK" -> {
+            val begin = DxfEntity(pairs)
+            val more = begin.read()
+            target = DxfBlock(begin[10], begin[20])
+            blocks[begin.block.uppercase(Locale.ROOT)] = target
+            more
+        }
+        "ENDBLK" -> {
+            target = drawing
+            DxfEntity(pairs).read()
+        }
+        else -> try {
+            readEntity()
+        } catch (error: FileFormatException) {
+            target.items.add(DxfRefusal(error))
+            // A mistake in the middle of an entity leaves the rest of it to be passed over.
+            pairs.code == 0 && !pairs.isAtEnd || pairs.toNextEntity()
+        }
     }
 
     /** Reads one entity, up to the next; false at the end of the file. */
@@ -41,6 +79,7 @@ internal class DxfReader(private val pairs: DxfPairs, private val unit: LengthUn
         val type = pairs.value
         val entity = DxfEntity(pairs)
         var more = entity.read()
+        if (entity.isHidden() && type != "POLYLINE") return more
         when (type) {
             "LINE" -> add(entity, StraightLine(entity[10], entity[20], entity[11], entity[21]))
             "CIRCLE" -> addCircle(entity, 0.0, 1.0)
@@ -54,19 +93,29 @@ internal class DxfReader(private val pairs: DxfPairs, private val unit: LengthUn
             "LWPOLYLINE" -> addPolyline(entity, entity.vertices, entity.flags() and 1 != 0)
             "POLYLINE" -> more = readPolyline(entity)
             "SPLINE" -> addSpline(entity)
-            "INSERT" -> entity.fail("INSERT cannot be read: explode the blocks first")
+            "INSERT" -> addInsert(entity)
             "3DFACE", "SOLID", "TRACE", "MLINE", "REGION", "3DSOLID", "BODY", "MESH" -> entity.fail("$type cannot be read")
         }
         return more
     }
 
-    private fun add(entity: DxfEntity, curve: PlaneCurve) {
-        val scaled = when {
-            scale == 1.0 -> curve
-            curve is StraightLine -> curve.scaled(scale)
-            else -> ScaledCurve(curve, scale)
-        }
-        pieces.add(OutlinePiece(scaled, entity.layer))
+    private fun add(entity: DxfEntity, curve: MappableCurve) {
+        target.items.add(DxfCurve(curve, entity.layer))
+    }
+
+    /** Scaled, put in rows and columns, turned, moved, and last seen from the side that the entity is drawn on. */
+    private fun addInsert(entity: DxfEntity) {
+        val scaleX = entity.valueOr(41, 1.0)
+        val scaleY = entity.valueOr(42, 1.0)
+        if (scaleX == 0.0 || scaleY == 0.0) entity.fail("an INSERT cannot be scaled by 0")
+        val columns = Math.max(1, entity[70].toInt())
+        val rows = Math.max(1, entity[71].toInt())
+        if (columns.toLong() * rows > MOST_INSERTS) entity.fail("an INSERT of $columns columns and $rows rows is too much")
+        val seen = if (entity.isMirrored()) AffineMap(-1.0, 0.0, 0.0, 1.0, 0.0, 0.0) else AffineMap.IDENTITY
+        val turned = seen * AffineMap.translation(entity[10], entity[20]) * AffineMap.rotation(entity[50])
+        val scaled = AffineMap(scaleX, 0.0, 0.0, scaleY, 0.0, 0.0)
+        val maps = List(columns * rows) { turned * AffineMap.translation(it % columns * entity[44], it / columns * entity[45]) * scaled }
+        target.items.add(DxfInsert(entity.block.uppercase(Locale.ROOT), entity.layer, maps, entity.line))
     }
 
     private fun addCircle(entity: DxfEntity, from: Double, to: Double) {
@@ -102,7 +151,7 @@ internal class DxfReader(private val pairs: DxfPairs, private val unit: LengthUn
             if (vertex.flags() and 16 == 0) vertices.add(doubleArrayOf(vertex[10], vertex[20], vertex[42]))
             if (!more) return false
         }
-        addPolyline(entity, vertices, flags and 1 != 0)
+        if (!entity.isHidden()) addPolyline(entity, vertices, flags and 1 != 0)
         return if (pairs.value == "SEQEND") DxfEntity(pairs).read() else true
     }
 
@@ -132,77 +181,9 @@ internal class DxfReader(private val pairs: DxfPairs, private val unit: LengthUn
     }
 
     private companion object {
+        const val MOST_INSERTS = 100_000L
+
         /** Files of eight digits do not have 2 pi exactly. */
         const val WHOLE_TURN = 1e-6
     }
-}
-
-/** The values of one entity by their group codes. */
-private class DxfEntity(private val pairs: DxfPairs) {
-    private val values = HashMap<Int, Double>()
-    private val line = pairs.lineNumber
-
-    /** x, y, bulge of LWPOLYLINE; x, y of SPLINE. */
-    val vertices = ArrayList<DoubleArray>()
-    val knots = ArrayList<Double>()
-    val weights = ArrayList<Double>()
-    var layer = "0"
-        private set
-    private val type = pairs.value
-
-    /** Reads up to the next entity; false at the end of the file. */
-    fun read(): Boolean {
-        while (pairs.next()) {
-            when (pairs.code) {
-                0 -> return true
-                8 -> layer = pairs.value.ifEmpty { "0" }
-                in 10..59, in 140..149, in 210..239 -> putNumber()
-                in 70..79 -> values[pairs.code] = pairs.int().toDouble()
-            }
-        }
-        return false
-    }
-
-    private fun putNumber() {
-        val value = pairs.number()
-        val isList = type == "LWPOLYLINE" || type == "SPLINE"
-        when {
-            isList && pairs.code == 10 -> vertices.add(doubleArrayOf(value, 0.0, 0.0))
-            isList && pairs.code == 20 -> vertices.lastOrNull()?.set(1, value)
-            type == "LWPOLYLINE" && pairs.code == 42 -> vertices.lastOrNull()?.set(2, value)
-            type == "SPLINE" && pairs.code == 40 -> knots.add(value)
-            type == "SPLINE" && pairs.code == 41 -> weights.add(value)
-            else -> values[pairs.code] = value
-        }
-    }
-
-    operator fun get(code: Int): Double = values[code] ?: 0.0
-
-    fun valueOr(code: Int, standard: Double): Double = values[code] ?: standard
-
-    fun flags(): Int = get(70).toInt()
-
-    /** Seen from below, where x runs the other way; other planes are none of the drawing. */
-    fun isMirrored(): Boolean {
-        if (get(210) != 0.0 || get(220) != 0.0) fail("the entity is not in the plane of the drawing")
-        return get(230) < 0
-    }
-
-    fun fail(reason: String): Nothing = pairs.failAtLine(line, reason)
-}
-
-/** The same curve, larger. */
-private class ScaledCurve(private val curve: PlaneCurve, private val scale: Double) : PlaneCurve {
-    override val knots: DoubleArray get() = curve.knots
-
-    override fun x(u: Double) = scale * curve.x(u)
-
-    override fun y(u: Double) = scale * curve.y(u)
-
-    override fun speed(u: Double) = scale * curve.speed(u)
-
-    override val beginX: Double get() = scale * curve.beginX
-    override val beginY: Double get() = scale * curve.beginY
-    override val endX: Double get() = scale * curve.endX
-    override val endY: Double get() = scale * curve.endY
 }

@@ -13,6 +13,10 @@ internal class GeoDomains(private val model: GeoModel, private val input: Domain
                 val pieces = ordered(loop)
                 if (i == 0) outline.outer(pieces) else outline.hole(pieces)
             }
+            for (number in model.inner[surface.number].orEmpty()) {
+                val curve = model.curves[number] ?: model.complaint.failAt(surface.place, "there is no curve $number")
+                outline.embed(listOf(piece(number, curve)))
+            }
             if (outline.isEmpty) model.complaint.failAt(surface.place, "the surface ${surface.number} has no outline")
             NamedDomain(name, outline.toDomain())
         }
@@ -56,7 +60,14 @@ internal class GeoDomains(private val model: GeoModel, private val input: Domain
         val length = PieceDivision.length(curve.curve)
         val wanted = if (Math.abs(b - a) < NEARLY * a) length / a else length * StrictMath.log(b / a) / (b - a)
         if (!(wanted < MOST)) model.complaint.fail("the sizes $a and $b ask for too many nodes on a length of $length")
-        return OutlineDivision(Math.max(1, Math.round(wanted).toInt()), b / a)
+        return OutlineDivision(Math.max(least(curve.curve), Math.round(wanted).toInt()), b / a)
+    }
+
+    /** Parts of a curve however large the sizes are, as Gmsh has them: six of a circle, two of a spline. */
+    private fun least(curve: PlaneCurve): Int = when (curve) {
+        is StraightLine -> 1
+        is EllipseArc -> Math.max(1, (0.99 + 6 * curve.share).toInt())
+        else -> 2
     }
 
     private class Directed(val curve: GeoModel.Curve, private val own: OutlinePiece, private val isReversed: Boolean) {

@@ -7,6 +7,8 @@ internal class GeoExpressions(
     private val given: (String) -> Double? = { null },
 ) {
     private val variables = HashMap<String, Double>()
+    private val lists = HashMap<String, ArrayList<Double>>()
+    private var valuesLeft = MOST_ALTOGETHER
     private var depth = 0
 
     fun define(name: String, value: Double) {
@@ -15,13 +17,47 @@ internal class GeoExpressions(
 
     fun valueOf(name: String): Double? = variables[name]
 
+    /** @param isMore whether the values come to those that the list has. */
+    fun defineList(name: String, values: List<Double>, isMore: Boolean) {
+        if (!isMore) lists.remove(name)
+        lists.getOrPut(name) { ArrayList() }.addAll(values)
+    }
+
+    /** What is true is 1, what is not is 0, and all but 0 counts as true. */
     fun number(): Double {
         if (++depth > MAX_DEPTH) tokens.fail("more than $MAX_DEPTH brackets in one another")
+        var value = conjunction()
+        while (tokens.takeSigns("||")) value = truth(conjunction() != 0.0 || value != 0.0)
+        depth--
+        return value
+    }
+
+    private fun conjunction(): Double {
+        var value = comparison()
+        while (tokens.takeSigns("&&")) value = truth(comparison() != 0.0 && value != 0.0)
+        return value
+    }
+
+    private fun comparison(): Double {
+        val value = sum()
+        return when {
+            tokens.takeSigns("==") -> truth(value == sum())
+            tokens.takeSigns("!=") -> truth(value != sum())
+            tokens.takeSigns("<=") -> truth(value <= sum())
+            tokens.takeSigns(">=") -> truth(value >= sum())
+            tokens.takeSigns("<") -> truth(value < sum())
+            tokens.takeSigns(">") -> truth(value > sum())
+            else -> value
+        }
+    }
+
+    private fun truth(isTrue: Boolean) = if (isTrue) 1.0 else 0.0
+
+    private fun sum(): Double {
         var sum = product()
         while (true) {
             if (tokens.takeIf("+")) sum += product() else if (tokens.takeIf("-")) sum -= product() else break
         }
-        depth--
         return sum
     }
 
@@ -33,26 +69,66 @@ internal class GeoExpressions(
         return whole
     }
 
-    /** `{a, b:c, b:c:d, …}` */
+    /** `{a, b:c, b:c:d, names[], …}` */
     fun list(): List<Double> {
         tokens.expect("{")
         val values = ArrayList<Double>()
         if (tokens.takeIf("}")) return values
-        do {
-            val place = tokens.start
-            val from = number()
-            if (!tokens.takeIf(":")) {
-                values.add(from)
-                continue
-            }
-            val to = number()
-            val step = if (tokens.takeIf(":")) number() else if (to < from) -1.0 else 1.0
-            val count = Math.floor((to - from) / step + ROUNDING) + 1
-            if (!(count >= 1 && count <= MOST)) tokens.failAt(place, "the range from $from to $to by $step is empty or too long")
-            for (i in 0 until count.toInt()) values.add(from + i * step)
-        } while (tokens.takeIf(","))
+        do addTo(values) while (tokens.takeIf(","))
         tokens.expect("}")
         return values
+    }
+
+    /** As [list], or one part of one without braces. */
+    fun listOrPart(): List<Double> = if (tokens.word == "{") list() else ArrayList<Double>().also { addTo(it) }
+
+    /** A number, a range or a whole list. */
+    private fun addTo(values: ArrayList<Double>) {
+        val place = tokens.start
+        val isNegative = tokens.takeIf("-")
+        val whole = wholeList()
+        if (whole == null) {
+            tokens.goTo(place)
+            return addRange(values, place)
+        }
+        spend(whole.size, place)
+        for (it in whole) values.add(if (isNegative) -it else it)
+    }
+
+    private fun addRange(values: ArrayList<Double>, place: Int) {
+        val from = number()
+        if (!tokens.takeIf(":")) {
+            spend(1, place)
+            values.add(from)
+            return
+        }
+        val range = rangeFrom(from, place)
+        if (range.isEmpty()) tokens.failAt(place, "the range is empty")
+        spend(range.size, place)
+        values.addAll(range)
+    }
+
+    /** What follows `from:`; empty if the step leads away from the end. */
+    fun rangeFrom(from: Double, place: Int): List<Double> {
+        val to = number()
+        val step = if (tokens.takeIf(":")) number() else if (to < from) -1.0 else 1.0
+        val count = Math.floor((to - from) / step + ROUNDING) + 1
+        if (!(count <= MOST)) tokens.failAt(place, "the range from $from to $to by $step is too long")
+        return List(Math.max(count, 0.0).toInt()) { from + it * step }
+    }
+
+    /** `name[]` or `name()` of a list, or null, having gone on. */
+    private fun wholeList(): List<Double>? {
+        if (tokens.kind != GeoTokens.Kind.NAME) return null
+        val list = lists[tokens.word] ?: return null
+        tokens.next()
+        return if (tokens.takeIf("[")) list.takeIf { tokens.takeIf("]") } else if (tokens.takeIf("(")) list.takeIf { tokens.takeIf(")") } else null
+    }
+
+    /** Loops must not make much of a small file. */
+    private fun spend(count: Int, place: Int) {
+        valuesLeft -= count
+        if (valuesLeft < 0) tokens.failAt(place, "the lists of the script have more than $MOST_ALTOGETHER numbers")
     }
 
     private fun product(): Double {
@@ -70,6 +146,7 @@ internal class GeoExpressions(
         while (true) {
             if (tokens.takeIf("-")) isNegative = !isNegative else if (!tokens.takeIf("+")) break
         }
+        if (tokens.takeIf("!")) return truth(sign() == 0.0)
         val value = power()
         return if (isNegative) -value else value
     }
@@ -104,6 +181,7 @@ internal class GeoExpressions(
                 return variables[word] ?: given(word) ?: tokens.failAt(place, "there is no variable $word")
             }
             else -> {
+                if (tokens.takeIf("#")) return (wholeList() ?: tokens.failAt(place, "there is no such list")).size.toDouble()
                 if (!tokens.takeIf("(")) tokens.fail("expected a number, found ${tokens.shown()}")
                 val value = number()
                 tokens.expect(")")
@@ -113,41 +191,18 @@ internal class GeoExpressions(
     }
 
     private fun call(name: String, place: Int, closing: String): Double {
+        val list = lists[name]
         val x = number()
         val y = if (tokens.takeIf(",")) number() else Double.NaN
         tokens.expect(closing)
-        if (!y.isNaN()) {
-            return when (name) {
-                "Atan2" -> StrictMath.atan2(x, y)
-                "Hypot" -> StrictMath.hypot(x, y)
-                "Fmod" -> x % y
-                "Max" -> maxOf(x, y)
-                "Min" -> minOf(x, y)
-                else -> tokens.failAt(place, "the function $name of two numbers is unknown")
-            }
-        }
-        return when (name) {
-            "Sin" -> StrictMath.sin(x)
-            "Cos" -> StrictMath.cos(x)
-            "Tan" -> StrictMath.tan(x)
-            "Asin" -> StrictMath.asin(x)
-            "Acos" -> StrictMath.acos(x)
-            "Atan" -> StrictMath.atan(x)
-            "Sqrt" -> Math.sqrt(x)
-            "Exp" -> StrictMath.exp(x)
-            "Log" -> StrictMath.log(x)
-            "Log10" -> StrictMath.log10(x)
-            "Fabs", "Abs" -> Math.abs(x)
-            "Floor" -> Math.floor(x)
-            "Ceil" -> Math.ceil(x)
-            "Round" -> Math.floor(x + 0.5)
-            else -> tokens.failAt(place, "the function $name is unknown")
-        }
+        if (list != null) return list.getOrNull(x.toInt()) ?: tokens.failAt(place, "the list $name has no place ${x.toInt()}, only ${list.size} from 0")
+        return GeoFunctions.of(name, x, y) ?: tokens.failAt(place, "the function $name" + (if (y.isNaN()) "" else " of two numbers") + " is unknown")
     }
 
     private companion object {
         const val MAX_DEPTH = 100
         const val MOST = 100_000.0
+        const val MOST_ALTOGETHER = 5_000_000
         const val ROUNDING = 1e-9
     }
 }

@@ -1,8 +1,8 @@
 package org.trigrid.io
 
 /**
- * Gmsh's geometry script, in part: points with sizes, lines, arcs, splines, loops, plane and physical surfaces, transfinite curves,
- * variables and arithmetic. Each plane surface is a domain; what is not known is an error with its place.
+ * Gmsh's geometry script, in part: points with sizes, lines, arcs, splines, loops, plane and physical surfaces, curves inside of
+ * surfaces, transfinite curves, variables and lists, arithmetic, `For` and `If`. Each plane surface is a domain; what is not known is an error with its place.
  */
 internal class GeoFormat : DomainFormat("geo", "Gmsh .geo, in part", listOf(".geo"), hasCurves = true) {
     override fun read(input: DomainText): List<NamedDomain> {
@@ -57,6 +57,19 @@ internal class GeoTokens(private val text: String, private val source: String) :
         if (kind == Kind.STRING || wordEnd - wordStart != expected.length || !text.startsWith(expected, wordStart)) return false
         next()
         return true
+    }
+
+    /** Takes several signs in a row, such as `==`. */
+    fun takeSigns(expected: String): Boolean {
+        if (kind != Kind.SIGN || !text.startsWith(expected, start)) return false
+        repeat(expected.length) { next() }
+        return true
+    }
+
+    /** Goes back to the token that began at [place]. */
+    fun goTo(place: Int) {
+        at = place
+        next()
     }
 
     fun expect(expected: String) {

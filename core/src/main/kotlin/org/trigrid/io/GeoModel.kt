@@ -3,7 +3,7 @@ package org.trigrid.io
 /** What a `.geo` script defines. Numbers of entities are those of the script. */
 internal class GeoModel {
     /** @param size wanted length of edges, NaN for none. */
-    class Point(val x: Double, val y: Double, val size: Double)
+    class Point(val x: Double, val y: Double, var size: Double)
 
     class Curve(val curve: PlaneCurve, val begin: Point, val end: Point)
 
@@ -11,10 +11,13 @@ internal class GeoModel {
 
     class Surface(val number: Int, val loops: List<Int>, val place: Int)
 
-    val points = HashMap<Int, Point>()
-    val curves = LinkedHashMap<Int, Curve>()
-    val loops = HashMap<Int, Loop>()
+    val points = Numbered<Point>()
+    val curves = Numbered<Curve>()
+    val loops = Numbered<Loop>()
     val surfaces = ArrayList<Surface>()
+
+    /** Curves inside of a surface, by its number. */
+    val inner = HashMap<Int, ArrayList<Int>>()
     val curveTags = HashMap<Int, String>()
     val surfaceNames = HashMap<Int, String>()
     val divisions = HashMap<Int, OutlineDivision>()
@@ -22,10 +25,28 @@ internal class GeoModel {
 
     /** The first number that no entity of a kind has, by Gmsh's name for it. */
     fun newNumber(name: String): Int? = when (name) {
-        "newp" -> 1 + (points.keys.maxOrNull() ?: 0)
-        "newl", "newc" -> 1 + (curves.keys.maxOrNull() ?: 0)
-        "newll", "newcl" -> 1 + (loops.keys.maxOrNull() ?: 0)
+        "newp" -> points.next
+        "newl", "newc" -> curves.next
+        "newll", "newcl" -> loops.next
         "news" -> 1 + (surfaces.maxOfOrNull { it.number } ?: 0)
         else -> null
+    }
+}
+
+/** Entities of one kind by their numbers. */
+internal class Numbered<T> {
+    private val entities = LinkedHashMap<Int, T>()
+
+    /** One above the largest number. */
+    var next = 1
+        private set
+
+    val numbers: List<Int> get() = entities.keys.toList()
+
+    operator fun get(number: Int): T? = entities[number]
+
+    operator fun set(number: Int, entity: T) {
+        entities[number] = entity
+        next = Math.max(next, number + 1)
     }
 }

@@ -4,9 +4,12 @@ package org.trigrid.io
 internal class GeoReader(private val tokens: GeoTokens) {
     private val model = GeoModel().also { it.complaint = tokens }
     private val expressions = GeoExpressions(tokens) { model.newNumber(it)?.toDouble() }
+    private val flow = GeoFlow(tokens, expressions)
+    private val variables = GeoVariables(tokens, expressions)
 
     fun read(): GeoModel {
         while (tokens.kind != GeoTokens.Kind.END) if (!tokens.takeIf(";")) statement()
+        flow.checkEnd()
         return model
     }
 
@@ -15,16 +18,28 @@ internal class GeoReader(private val tokens: GeoTokens) {
         if (tokens.kind != GeoTokens.Kind.NAME) tokens.fail("expected a statement, found ${tokens.shown()}")
         val word = tokens.word
         tokens.next()
+        if (flow.obey(word, place)) return
         when (word) {
-            "Point" -> readPoint()
-            "Line", "Curve" -> if (tokens.takeIf("Loop")) readLoop() else readCurve("Line", place)
+            "Point" -> if (tokens.word == "{") tokens.failAt(place, "points inside of surfaces cannot be read") else readPoint()
+            "Line", "Curve" -> if (tokens.takeIf("Loop")) readLoop() else if (tokens.word == "{") readInner(place) else readCurve("Line", place)
             "Circle", "Ellipse", "Spline", "BSpline", "Bezier" -> readCurve(word, place)
             "Plane" -> {
                 tokens.expect("Surface")
                 readSurface(place)
             }
             "Physical" -> readPhysical()
-            "Transfinite" -> readTransfinite()
+            "Transfinite" -> if (tokens.takeIf("Surface")) skipSurfaces() else readTransfinite()
+            "Recombine" -> {
+                tokens.expect("Surface")
+                skipSurfaces()
+            }
+            "MeshSize" -> readSizes()
+            "Characteristic" -> {
+                tokens.expect("Length")
+                readSizes()
+            }
+            "DefineConstant" -> variables.readConstants()
+            "Printf", "Save" -> skipToEnd()
             "SetFactory" -> {
                 tokens.expect("(")
                 tokens.next()
@@ -39,24 +54,38 @@ internal class GeoReader(private val tokens: GeoTokens) {
     /** A variable, or an option of Gmsh's own, such as `General.Terminal = 1`, which is passed over. */
     private fun otherStatement(word: String, place: Int) {
         if (tokens.takeIf(".")) return skipOption()
-        val change = tokens.word.takeIf { it in "+-*/" && it.isNotEmpty() }
-        if (change != null) tokens.next()
-        if (!tokens.takeIf("=")) tokens.failAt(place, "the statement $word cannot be read")
-        if (tokens.kind == GeoTokens.Kind.STRING || tokens.word == "{" || tokens.word == "DefineNumber") {
-            tokens.fail("only numbers can be the value of a variable")
+        if (!variables.readAssignment(word)) tokens.failAt(place, "the statement $word cannot be read")
+    }
+
+    private fun skipToEnd() {
+        while (tokens.kind != GeoTokens.Kind.END && tokens.word != ";") tokens.next()
+    }
+
+    /** How other meshers are to fill surfaces. */
+    private fun skipSurfaces() {
+        expressions.list()
+        if (tokens.word != ";") skipToEnd()
+    }
+
+    /** `{points} = size`, of all points where the list is `:`. */
+    private fun readSizes() {
+        val place = tokens.start
+        val points = if (tokens.takeSigns("{:}")) model.points.numbers else whole(expressions.list(), place)
+        tokens.expect("=")
+        val size = expressions.number()
+        if (!(size > 0)) tokens.failAt(place, "the size at a point must be above 0, not $size")
+        for (number in points) (model.points[number] ?: tokens.failAt(place, "there is no point $number")).size = size
+    }
+
+    /** `{curves} In Surface {surfaces}` */
+    private fun readInner(place: Int) {
+        val curves = whole(expressions.list(), place)
+        tokens.expect("In")
+        tokens.expect("Surface")
+        for (surface in whole(expressions.list(), place)) {
+            if (model.surfaces.none { it.number == surface }) tokens.failAt(place, "there is no surface $surface")
+            model.inner.getOrPut(surface) { ArrayList() }.addAll(curves.map { Math.abs(it) })
         }
-        val value = expressions.number()
-        val old = if (change == null) 0.0 else expressions.valueOf(word) ?: tokens.failAt(place, "there is no variable $word")
-        expressions.define(
-            word,
-            when (change) {
-                "+" -> old + value
-                "-" -> old - value
-                "*" -> old * value
-                "/" -> old / value
-                else -> value
-            },
-        )
     }
 
     private fun skipOption() {
@@ -88,7 +117,9 @@ internal class GeoReader(private val tokens: GeoTokens) {
     private fun readCurve(kind: String, place: Int) {
         val number = number("curve")
         val listPlace = tokens.start
-        val points = whole(expressions.list(), listPlace).map {
+        val values = expressions.list()
+        if (kind == "Circle" && values.size in 4..6) return readCircle(number, values, place)
+        val points = whole(values, listPlace).map {
             model.points[it] ?: tokens.failAt(listPlace, "there is no point $it")
         }
         val least = if (kind == "Circle") 3 else if (kind == "Ellipse") 4 else 2
@@ -97,6 +128,23 @@ internal class GeoReader(private val tokens: GeoTokens) {
         val curve = GeoCurves.of(kind, points) ?: tokens.failAt(place, "$kind: these points make no such curve")
         model.curves[number] = GeoModel.Curve(curve, points.first(), points.last())
     }
+
+    /** Of OpenCASCADE: the centre, the radius, and the angles at the ends of an arc. */
+    private fun readCircle(number: Int, values: List<Double>, place: Int) {
+        if (values[2] != 0.0) tokens.failAt(place, "z = ${values[2]}: only circles in the plane z = 0 can be read")
+        if (!(values[3] > 0)) tokens.failAt(place, "the radius must be above 0, not ${values[3]}")
+        val from = values.getOrElse(4) { 0.0 } / (2 * Math.PI)
+        val to = values.getOrElse(5) { (from + 1) * 2 * Math.PI } / (2 * Math.PI)
+        val isWhole = Math.abs(to - from - 1) < WHOLE_TURN
+        if (!(to > from) || !isWhole && to - from > 1) tokens.failAt(place, "the angles of an arc must rise, by up to a turn")
+        val curve = EllipseArc.circle(values[0], values[1], values[3], from, if (isWhole) from + 1 else to)
+        val begin = GeoModel.Point(curve.beginX, curve.beginY, Double.NaN)
+        model.points[newPoint()] = begin
+        val end = if (isWhole) begin else GeoModel.Point(curve.endX, curve.endY, Double.NaN).also { model.points[newPoint()] = it }
+        model.curves[number] = GeoModel.Curve(curve, begin, end)
+    }
+
+    private fun newPoint(): Int = requireNotNull(model.newNumber("newp"))
 
     private fun readLoop() {
         val place = tokens.start
@@ -159,5 +207,9 @@ internal class GeoReader(private val tokens: GeoTokens) {
     private fun whole(values: List<Double>, place: Int): List<Int> = values.map {
         if (it.toInt().toDouble() != it) tokens.failAt(place, "$it is no number of an entity")
         it.toInt()
+    }
+
+    private companion object {
+        const val WHOLE_TURN = 1e-9
     }
 }

@@ -1,6 +1,5 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.QuadraticMesh
 import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -40,9 +39,9 @@ internal class MeditFormat : MeshFormat("medit", "Medit .mesh, ASCII", listOf(".
         text.flush()
     }
 
-    override fun contents(file: Path): MeshContents {
+    override fun readEither(file: Path): ReadMesh {
         ReadingMemory.check(file, ReadingMemory.MSH)
-        return MeditReader.contents(Files.readAllBytes(file), file.toString())
+        return MeditReader.read(Files.readAllBytes(file), file.toString())
     }
 }
 
@@ -52,17 +51,15 @@ internal class MeditReader private constructor(private val scanner: MshScanner) 
     private var dimension = 0
     private var vertexCount = -1
 
-    private fun read(): MeshContents {
+    private fun read(): ReadMesh {
         scanner.expect("MeshVersionFormatted")
         scanner.int("the version", 1)
         while (!scanner.atEnd()) {
             when (val keyword = scanner.word("a keyword")) {
                 "Dimension" -> dimension = scanner.int("the dimension", 2)
                 "Vertices" -> readVertices()
-                "Edges" -> readEdges()
-                "Triangles" -> readTriangles()
-                "EdgesP2" -> readQuadraticEdges()
-                "TrianglesP2" -> readQuadraticTriangles()
+                "Edges", "EdgesP2" -> readEdges(keyword == "EdgesP2")
+                "Triangles", "TrianglesP2" -> readTriangles(keyword == "TrianglesP2")
                 "Quadrilaterals", "Tetrahedra", "Hexahedra", "Prisms", "Pyramids" -> {
                     if (scanner.int("the number of elements", 0) > 0) scanner.fail("$keyword cannot be read, only Edges and Triangles")
                 }
@@ -73,7 +70,7 @@ internal class MeditReader private constructor(private val scanner: MshScanner) 
                 }
             }
         }
-        return contents
+        return contents.toMesh()
     }
 
     private fun readVertices() {
@@ -91,36 +88,20 @@ internal class MeditReader private constructor(private val scanner: MshScanner) 
         contents.closeNodes()
     }
 
-    private fun readEdges() {
+    private fun readEdges(haveMiddles: Boolean) {
         repeat(scanner.count("the number of edges")) {
             val a = vertex()
             val b = vertex()
+            if (haveMiddles) vertex()
             contents.addLine(a, b, reference())
         }
     }
 
-    private fun readTriangles() {
+    private fun readTriangles(haveMiddles: Boolean) {
         repeat(scanner.count("the number of triangles")) {
-            val a = vertex()
-            val b = vertex()
-            val c = vertex()
-            contents.addTriangle(a, b, c, reference())
-        }
-    }
-
-    private fun readQuadraticEdges() {
-        repeat(scanner.count("the number of edges")) {
-            val a = vertex()
-            val b = vertex()
-            val middle = vertex()
-            contents.addQuadraticLine(a, b, middle, reference())
-        }
-    }
-
-    private fun readQuadraticTriangles() {
-        repeat(scanner.count("the number of triangles")) {
-            val nodes = IntArray(QuadraticMesh.NODES_PER_ELEMENT) { vertex() }
-            contents.addQuadraticTriangle(nodes[0], nodes[1], nodes[2], nodes[3], nodes[4], nodes[5], reference())
+            val nodes = IntArray(if (haveMiddles) 6 else 3) { vertex() }
+            contents.addTriangle(nodes[0], nodes[1], nodes[2], reference())
+            if (haveMiddles) contents.addMiddles(nodes[3], nodes[4], nodes[5])
         }
     }
 
@@ -133,6 +114,6 @@ internal class MeditReader private constructor(private val scanner: MshScanner) 
          * @param source name of the file, for messages.
          * @throws org.trigrid.diagnostics.FileFormatException with line and column.
          */
-        fun contents(bytes: ByteArray, source: String): MeshContents = MeditReader(MshScanner(bytes, source, '#')).read()
+        fun read(bytes: ByteArray, source: String): ReadMesh = MeditReader(MshScanner(bytes, source, '#')).read()
     }
 }

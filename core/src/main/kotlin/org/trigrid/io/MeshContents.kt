@@ -3,8 +3,6 @@ package org.trigrid.io
 import org.trigrid.domain.Region
 import org.trigrid.geometry.IntList
 import org.trigrid.mesh.MeshParts
-import org.trigrid.mesh.QuadraticMesh
-import org.trigrid.mesh.TriMesh
 import org.trigrid.mesh.TriMeshFactory
 
 /** Tells that a file is not what its format asks for, with the place where its reader is. */
@@ -14,7 +12,7 @@ internal fun interface Complaint {
 }
 
 /**
- * What was read of a mesh file, whatever its format, until it is made a [TriMesh].
+ * What was read of a mesh file, whatever its format, until it is made a mesh.
  *
  * @param curveWord names groups of edges without a name of their own, with their number; [regionWord] those of triangles.
  */
@@ -33,8 +31,7 @@ internal class MeshContents(
     private val triangles = IntList()
     private val triangleGroups = IntList()
 
-    /** Of lines and triangles of the second order: one middle a line, three a triangle. */
-    private val lineMiddles = IntList()
+    /** Between the corners of each triangle; empty where triangles have three nodes. */
     private val middles = IntList()
     private val points = IntList()
     private val pointGroups = IntList()
@@ -93,20 +90,6 @@ internal class MeshContents(
         triangleGroups.add(group)
     }
 
-    /** As [addLine], with the node in the middle. */
-    fun addQuadraticLine(a: Int, b: Int, middle: Int, group: Int) {
-        addLine(a, b, group)
-        lineMiddles.add(middle)
-    }
-
-    /** As [addTriangle], with the nodes in the middles of its edges a-b, b-c and c-a. */
-    fun addQuadraticTriangle(a: Int, b: Int, c: Int, ab: Int, bc: Int, ca: Int, group: Int) {
-        addTriangle(a, b, c, group)
-        middles.add(ab)
-        middles.add(bc)
-        middles.add(ca)
-    }
-
     /** Adds a point that is a node, of the group [group]; 0, for none, is no point that anybody asks for. */
     fun addPoint(node: Int, group: Int) {
         if (group == 0) return
@@ -114,39 +97,25 @@ internal class MeshContents(
         pointGroups.add(group)
     }
 
-    /** Whether there are triangles of six nodes. */
-    val isQuadratic: Boolean get() = middles.size > 0
-
-    fun toMesh(): TriMesh {
-        if (isQuadratic) complaint.fail("the triangles have six nodes, and a mesh of three-node ones is wanted")
-        if (lineMiddles.size > 0) complaint.fail("lines have three nodes, triangles too")
-        return corners()
+    /** Gives the triangle added last the nodes between its corners, from the one between the first two on. */
+    fun addMiddles(first: Int, second: Int, third: Int) {
+        middles.add(first)
+        middles.add(second)
+        middles.add(third)
     }
 
-    /** The mesh of six-node triangles; lines and triangles of fewer nodes are no part of one. */
-    fun toQuadraticMesh(): QuadraticMesh {
-        if (middles.size != triangles.size || middles.size == 0) complaint.fail("not all triangles have six nodes")
-        if (lineMiddles.size != lineGroups.size) complaint.fail("not all lines have three nodes")
-        return QuadraticContents(complaint, corners(), triangles, middles, lines, lineMiddles).toMesh()
-    }
-
-    /** Of the corners alone if the mesh is of the first order; else with the middles among its nodes. */
-    private fun corners(): TriMesh {
+    fun toMesh(): ReadMesh {
         if (triangles.size == 0) complaint.fail("the file has no triangles")
+        if (middles.size > 0 && middles.size != triangles.size) complaint.fail("the file has triangles of three nodes and of six")
+        val quadratic = if (middles.size == 0) null else QuadraticContents(xy.copyOf(), triangles, middles, complaint)
         val newNumbers = IntArray(nodeCount) { -1 }
         for (i in 0 until triangles.size) newNumbers[triangles[i]] = 0
-        for (i in 0 until middles.size) newNumbers[middles[i]] = 0
         var used = 0
         for (node in 0 until nodeCount) {
             if (newNumbers[node] < 0) continue
             xy[2 * used] = xy[2 * node]
             xy[2 * used + 1] = xy[2 * node + 1]
             newNumbers[node] = used++
-        }
-        for (i in 0 until middles.size) middles[i] = newNumbers[middles[i]]
-        for (i in 0 until lineMiddles.size) {
-            lineMiddles[i] = newNumbers[lineMiddles[i]]
-            if (lineMiddles[i] < 0) complaint.fail("a line has a middle that is in no triangle")
         }
         val groups = (0 until lineGroups.size).map { lineGroups[it] }.distinct()
         val keptPoints = (0 until points.size).filter { newNumbers[points[it]] >= 0 }
@@ -156,13 +125,12 @@ internal class MeshContents(
         val lineNodes = IntArray(lines.size) { newNumbers[lines[it]] }
         for (node in lineNodes) if (node < 0) complaint.fail("a line has a node that is in no triangle")
         val lineTags = IntArray(lineGroups.size) { tagOfGroup.getValue(lineGroups[it]) }
-        for (i in 0 until triangles.size) triangles[i] = newNumbers[triangles[i]]
-        for (i in 0 until lines.size) lines[i] = lineNodes[i]
-        val elements = triangles.toArray()
+        val elements = IntArray(triangles.size) { newNumbers[triangles[it]] }
         val pointNodes = IntArray(keptPoints.size) { newNumbers[points[keptPoints[it]]] }
         val pointTags = IntArray(keptPoints.size) { tagNumbers.getValue(nameOf(0, pointGroups[keptPoints[it]])) }
         try {
-            return TriMeshFactory.of(xy.copyOf(2 * used), elements, lineNodes, lineTags, tags, parts(pointNodes, pointTags))
+            val corners = TriMeshFactory.of(xy.copyOf(2 * used), elements, lineNodes, lineTags, tags, parts(pointNodes, pointTags))
+            return ReadMesh(corners, quadratic?.toMesh(corners, newNumbers))
         } catch (e: IllegalArgumentException) {
             complaint.fail(e.message ?: "the elements make no mesh")
         }

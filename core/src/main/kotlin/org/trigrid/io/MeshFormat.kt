@@ -38,13 +38,9 @@ public abstract class MeshFormat internal constructor(
     @Throws(IOException::class)
     internal open fun writeFiles(mesh: TriMesh, file: Path): Unit = AtomicFile.write(file) { write(mesh, it) }
 
-    /** What a file holds, of either order. */
-    @Throws(IOException::class)
-    internal open fun contents(file: Path): MeshContents = throw IllegalArgumentException("$name cannot be read")
-
     /** @throws org.trigrid.diagnostics.FileFormatException with the place of what is wrong. */
     @Throws(IOException::class)
-    internal open fun read(file: Path): TriMesh = contents(file).toMesh()
+    internal open fun readEither(file: Path): ReadMesh = throw IllegalArgumentException("$name cannot be read")
 
     public companion object {
         /** Gmsh MSH 2.2, ASCII; read by nearly every solver. */

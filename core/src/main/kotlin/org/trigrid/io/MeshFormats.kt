@@ -93,36 +93,21 @@ public object MeshFormats {
      * `.node`. The ending tells which, MSH if it says nothing. Nodes keep the order of the file; nodes of no triangle are
      * left out, clockwise triangles are turned. Lines give their groups to the edges.
      *
-     * @throws FileFormatException if the file is no such mesh, also if its triangles have six nodes; it says where.
+     * @throws FileFormatException if the file is no such mesh; it says where. Also if its triangles have six nodes.
      */
     @JvmStatic
     @Throws(IOException::class)
-    public fun read(path: Path): TriMesh = (forReading(path) ?: MeshFormat.MSH_22).read(path)
-
-    /**
-     * Reads a mesh of six-node triangles: Gmsh's MSH, VTU or Medit. Nodes keep the order of the file, and middles lie where it
-     * has them.
-     *
-     * @throws FileFormatException if the file is no such mesh, or an element is folded; it says where.
-     * @throws IllegalArgumentException if the format has no such elements, see [MeshFormat.highestOrder].
-     */
-    @JvmStatic
-    @Throws(IOException::class)
-    public fun readSecondOrder(path: Path): QuadraticMesh {
-        val format = forReading(path) ?: MeshFormat.MSH_22
-        format.requireSecondOrder()
-        return format.contents(path).toQuadraticMesh()
+    public fun read(path: Path): TriMesh {
+        val mesh = readEither(path)
+        if (mesh.order != 1) throw FileFormatException(path.toString(), 0, 0, "the elements have six nodes, not three")
+        return mesh.corners
     }
 
     /**
-     * 2 if the triangles of a mesh file have six nodes, else 1. The file is read for it.
-     *
-     * @throws FileFormatException if the file is no mesh; it says where.
+     * As [read], also of triangles of six nodes, except from Triangle's files. They are taken as they are: edges inside may be
+     * curved too, and [QuadraticMesh.leastJacobian] tells whether an element is folded.
      */
     @JvmStatic
     @Throws(IOException::class)
-    public fun orderOf(path: Path): Int {
-        val format = forReading(path) ?: MeshFormat.MSH_22
-        return if (format.highestOrder > 1 && format.contents(path).isQuadratic) 2 else 1
-    }
+    public fun readEither(path: Path): ReadMesh = (forReading(path) ?: MeshFormat.MSH_22).readEither(path)
 }

@@ -1,5 +1,6 @@
 package org.trigrid.io
 
+import org.trigrid.mesh.TriMesh
 import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -21,8 +22,8 @@ internal class MshFormat(name: String, title: String, private val writer: MshWri
     MeshFormat(name, title, listOf(".msh"), canRead = true, highestOrder = 2) {
     override fun write(mesh: FileMesh, out: OutputStream) = writer.write(mesh, out)
 
-    override fun contents(file: Path): MeshContents {
+    override fun readEither(file: Path): ReadMesh {
         ReadingMemory.check(file, ReadingMemory.MSH)
-        return MshReader.contents(Files.readAllBytes(file), file.toString())
+        return MshReader.read(Files.readAllBytes(file), file.toString())
     }
 }

@@ -1,7 +1,5 @@
 package org.trigrid.io
 
-import org.trigrid.mesh.QuadraticMesh
-
 /** Gmsh's mesh files, versions 2.0 to 2.2 and 4.1, ASCII and binary. */
 internal class MshReader private constructor(private val scanner: MshScanner) {
     private val contents = MeshContents(scanner)
@@ -11,7 +9,7 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
     /** Physical group of entities by dimension and tag; MSH 4.1 only. */
     private val entityGroups = HashMap<Long, Int>()
 
-    private fun read(): MeshContents {
+    private fun read(): ReadMesh {
         if (scanner.atEnd()) scanner.fail("the file is empty")
         scanner.expect("\$MeshFormat")
         readFormat()
@@ -36,7 +34,7 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
                 }
             }
         }
-        return contents
+        return contents.toMesh()
     }
 
     private fun readFormat() {
@@ -143,12 +141,16 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
             }
             MeshContents.QUADRATIC_LINE -> {
                 val a = readNode()
-                val b = readNode()
-                contents.addQuadraticLine(a, b, readNode(), group)
+                contents.addLine(a, readNode(), group)
+                readNode()
             }
             MeshContents.QUADRATIC_TRIANGLE -> {
-                val nodes = IntArray(QuadraticMesh.NODES_PER_ELEMENT) { readNode() }
-                contents.addQuadraticTriangle(nodes[0], nodes[1], nodes[2], nodes[3], nodes[4], nodes[5], group)
+                val a = readNode()
+                val b = readNode()
+                contents.addTriangle(a, b, readNode(), group)
+                val middle = readNode()
+                val next = readNode()
+                contents.addMiddles(middle, next, readNode())
             }
             MeshContents.POINT -> contents.addPoint(readNode(), group)
             else -> scanner.fail("elements of type $type cannot be read, only points (15), lines (1, 8) and triangles (2, 9)")
@@ -218,6 +220,6 @@ internal class MshReader private constructor(private val scanner: MshScanner) {
          * @param source name of the file, for messages.
          * @throws org.trigrid.diagnostics.FileFormatException with line and column; in binary parts with the byte.
          */
-        fun contents(bytes: ByteArray, source: String): MeshContents = MshReader(MshScanner(bytes, source)).read()
+        fun read(bytes: ByteArray, source: String): ReadMesh = MshReader(MshScanner(bytes, source)).read()
     }
 }

@@ -20,13 +20,18 @@ internal interface PlaneCurve {
     val endY: Double get() = y(knots.last())
 }
 
+/** A curve whose image by an affine map is one of its kind. */
+internal interface MappableCurve : PlaneCurve {
+    fun mapped(map: AffineMap): MappableCurve
+}
+
 /** A straight line. */
 internal class StraightLine(
     override val beginX: Double,
     override val beginY: Double,
     override val endX: Double,
     override val endY: Double,
-) : PlaneCurve {
+) : MappableCurve {
     override val knots: DoubleArray get() = doubleArrayOf(0.0, 1.0)
 
     override fun x(u: Double) = beginX + u * (endX - beginX)
@@ -35,7 +40,8 @@ internal class StraightLine(
 
     override fun speed(u: Double) = StrictMath.hypot(endX - beginX, endY - beginY)
 
-    fun scaled(scale: Double) = StraightLine(scale * beginX, scale * beginY, scale * endX, scale * endY)
+    override fun mapped(map: AffineMap) =
+        StraightLine(map.x(beginX, beginY), map.y(beginX, beginY), map.x(endX, endY), map.y(endX, endY))
 }
 
 /**
@@ -52,10 +58,13 @@ internal class EllipseArc(
     private val from: Double,
     private val to: Double,
     private val ends: DoubleArray? = null,
-) : PlaneCurve {
+) : MappableCurve {
     override val knots: DoubleArray = DoubleArray(1 + maxOf(1, Math.ceil(4 * Math.abs(to - from)).toInt().coerceAtMost(8))).also {
         for (i in it.indices) it[i] = i.toDouble() / (it.size - 1)
     }
+
+    /** How much of the whole ellipse it is. */
+    val share: Double get() = Math.abs(to - from)
 
     private fun turns(u: Double) = from + u * (to - from)
 
@@ -69,17 +78,23 @@ internal class EllipseArc(
         return 2 * Math.PI * Math.abs(to - from) * StrictMath.hypot(bx * cos - ax * sin, by * cos - ay * sin)
     }
 
-    override val beginX: Double get() = ends?.get(0) ?: super.beginX
-    override val beginY: Double get() = ends?.get(1) ?: super.beginY
-    override val endX: Double get() = ends?.get(2) ?: super.endX
-    override val endY: Double get() = ends?.get(3) ?: super.endY
+    override fun mapped(map: AffineMap) = EllipseArc(
+        map.x(centreX, centreY), map.y(centreX, centreY), map.a * ax + map.c * ay, map.b * ax + map.d * ay,
+        map.a * bx + map.c * by, map.b * bx + map.d * by, from, to,
+        ends?.let { doubleArrayOf(map.x(it[0], it[1]), map.y(it[0], it[1]), map.x(it[2], it[3]), map.y(it[2], it[3])) },
+    )
+
+    override val beginX: Double get() = ends?.get(0) ?: super<MappableCurve>.beginX
+    override val beginY: Double get() = ends?.get(1) ?: super<MappableCurve>.beginY
+    override val endX: Double get() = ends?.get(2) ?: super<MappableCurve>.endX
+    override val endY: Double get() = ends?.get(3) ?: super<MappableCurve>.endY
 
     companion object {
         fun circle(x: Double, y: Double, radius: Double, from: Double, to: Double): EllipseArc =
             EllipseArc(x, y, radius, 0.0, 0.0, radius, from, to)
 
         /** The arc between two given points whose angle is 4 atan([bulge]), above 0 anticlockwise; a line for 0. */
-        fun ofBulge(x0: Double, y0: Double, x1: Double, y1: Double, bulge: Double): PlaneCurve {
+        fun ofBulge(x0: Double, y0: Double, x1: Double, y1: Double, bulge: Double): MappableCurve {
             if (bulge == 0.0) return StraightLine(x0, y0, x1, y1)
             // The centre lies on the bisector, (1 - b^2) / (4 b) of the chord to its left.
             val offset = (1 - bulge * bulge) / (4 * bulge)
@@ -135,9 +150,9 @@ internal class BezierCurve(private val c: DoubleArray) : PlaneCurve {
 internal class SplineCurve(
     private val degree: Int,
     private val allKnots: DoubleArray,
-    points: DoubleArray,
-    weights: DoubleArray,
-) : PlaneCurve {
+    private val points: DoubleArray,
+    private val weights: DoubleArray,
+) : MappableCurve {
     private val count = weights.size
 
     /** w x, w y, w. */
@@ -175,6 +190,15 @@ internal class SplineCurve(
         val dy = (tangent[1] - tangent[2] * point[1] / w) / w
         return StrictMath.hypot(dx, dy)
     }
+
+    override fun mapped(map: AffineMap) = SplineCurve(
+        degree, allKnots,
+        DoubleArray(points.size) {
+            val i = it and 1.inv()
+            if (it == i) map.x(points[i], points[i + 1]) else map.y(points[i], points[i + 1])
+        },
+        weights,
+    )
 
     private fun span(u: Double): Int {
         var low = degree

@@ -79,7 +79,7 @@ internal class TriangleFormat : MeshFormat(
         }
     }
 
-    override fun read(file: Path): TriMesh {
+    override fun readEither(file: Path): ReadMesh {
         val edges = listOf(sibling(file, ".poly"), sibling(file, ".edge")).firstOrNull { Files.exists(it) }
         return TriangleReader(sibling(file, ".node"), sibling(file, ".ele"), edges).read()
     }

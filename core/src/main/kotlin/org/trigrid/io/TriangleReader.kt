@@ -1,7 +1,6 @@
 package org.trigrid.io
 
 import org.trigrid.diagnostics.FileFormatException
-import org.trigrid.mesh.TriMesh
 import java.io.IOException
 import java.nio.file.Path
 
@@ -19,14 +18,14 @@ internal class TriangleReader(
     private lateinit var current: PolyLines
 
     @Throws(IOException::class)
-    fun read(): TriMesh = read(textOf(nodeFile), textOf(elementFile), edgeFile?.let { textOf(it) })
+    fun read(): ReadMesh = read(textOf(nodeFile), textOf(elementFile), edgeFile?.let { textOf(it) })
 
     private fun textOf(file: Path): String {
         ReadingMemory.check(file, ReadingMemory.POLY)
         return DomainFormats.textOf(file)
     }
 
-    fun read(nodes: String, elements: String, edges: String?): TriMesh {
+    fun read(nodes: String, elements: String, edges: String?): ReadMesh {
         val complaint = Complaint { reason -> throw FileFormatException(current.source, current.lineNumber, 0, reason) }
         val contents = MeshContents(complaint, "marker_", "region_")
         current = PolyLines(nodeFile.toString(), nodes)

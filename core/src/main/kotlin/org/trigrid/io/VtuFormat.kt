@@ -1,5 +1,6 @@
 package org.trigrid.io
 
+import org.trigrid.mesh.TriMesh
 import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -98,9 +99,9 @@ internal class VtuFormat : MeshFormat("vtu", "VTK XML unstructured grid", listOf
 
     private fun nodes(mesh: FileMesh): Long = mesh.elements.size.toLong() + mesh.edges.size + mesh.pointCount
 
-    override fun contents(file: Path): MeshContents {
+    override fun readEither(file: Path): ReadMesh {
         ReadingMemory.check(file, ReadingMemory.VTU)
-        return VtuReader.contents(Files.readAllBytes(file), file.toString())
+        return VtuReader.read(Files.readAllBytes(file), file.toString())
     }
 
     companion object {

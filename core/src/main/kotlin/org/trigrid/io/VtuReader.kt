@@ -1,7 +1,6 @@
 package org.trigrid.io
 
 import org.trigrid.diagnostics.FileFormatException
-import org.trigrid.mesh.QuadraticMesh
 import java.io.ByteArrayInputStream
 import java.io.InputStreamReader
 import java.io.SequenceInputStream
@@ -17,7 +16,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
     private val arrays = HashMap<String, VtuArray>()
     private var pieces = 0
 
-    private fun read(): MeshContents {
+    private fun read(): ReadMesh {
         var section = ""
         loop@ while (true) {
             when (xml.next()) {
@@ -32,7 +31,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
                 else -> Unit
             }
         }
-        return contents()
+        return toMesh()
     }
 
     /** The text up to the appended numbers, which need not be XML, closed. */
@@ -91,7 +90,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
         coding.appendedStart = from + 1
     }
 
-    private fun contents(): MeshContents {
+    private fun toMesh(): ReadMesh {
         val points = numbers("Points")
         val connectivity = numbers("Cells/connectivity")
         val offsets = numbers("Cells/offsets")
@@ -118,22 +117,19 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
             val expected = when (types[cell].toInt()) {
                 VtuFormat.VTK_VERTEX -> 1
                 VtuFormat.VTK_LINE -> 2
-                VtuFormat.VTK_TRIANGLE -> 3
-                VtuFormat.VTK_QUADRATIC_EDGE -> -QuadraticMesh.NODES_PER_EDGE
-                VtuFormat.VTK_QUADRATIC_TRIANGLE -> -QuadraticMesh.NODES_PER_ELEMENT
+                VtuFormat.VTK_TRIANGLE, VtuFormat.VTK_QUADRATIC_EDGE -> 3
+                VtuFormat.VTK_QUADRATIC_TRIANGLE -> 6
                 else -> place.fail("cells of type ${types[cell].toInt()} cannot be read, only lines (3, 21) and triangles (5, 22)")
             }
-            if (nodes.size != Math.abs(expected)) place.fail("cell $cell has ${nodes.size} nodes, not ${Math.abs(expected)}")
+            if (nodes.size != expected) place.fail("cell $cell has ${nodes.size} nodes, not $expected")
+            val isLine = expected == 2 || types[cell].toInt() == VtuFormat.VTK_QUADRATIC_EDGE
             if (expected == 1) contents.addPoint(nodes[0], group(tags, cell))
-            if (expected == 2) contents.addLine(nodes[0], nodes[1], group(tags, cell))
-            if (expected == 3) contents.addTriangle(nodes[0], nodes[1], nodes[2], group(regions, cell))
-            if (expected == -QuadraticMesh.NODES_PER_EDGE) contents.addQuadraticLine(nodes[0], nodes[1], nodes[2], group(tags, cell))
-            if (expected == -QuadraticMesh.NODES_PER_ELEMENT) {
-                contents.addQuadraticTriangle(nodes[0], nodes[1], nodes[2], nodes[3], nodes[4], nodes[5], group(regions, cell))
-            }
+            if (isLine) contents.addLine(nodes[0], nodes[1], group(tags, cell))
+            else if (expected >= 3) contents.addTriangle(nodes[0], nodes[1], nodes[2], group(regions, cell))
+            if (expected == 6) contents.addMiddles(nodes[3], nodes[4], nodes[5])
             from = to.toInt()
         }
-        return contents
+        return contents.toMesh()
     }
 
     private fun whole(value: Double, place: Complaint): Int {
@@ -164,7 +160,7 @@ internal class VtuReader private constructor(private val bytes: ByteArray, priva
          * @param source name of the file, for messages.
          * @throws FileFormatException with line and column; for appended data those of its array.
          */
-        fun contents(bytes: ByteArray, source: String): MeshContents = VtuReader(bytes, source).read()
+        fun read(bytes: ByteArray, source: String): ReadMesh = VtuReader(bytes, source).read()
 
         private fun indexOf(bytes: ByteArray, wanted: ByteArray): Int {
             for (at in 0..bytes.size - wanted.size) {

@@ -16,7 +16,8 @@ import org.trigrid.domain.Region
  *        0---3---1
  * ```
  * Inner edges are straight, with their node halfway. Edges of the boundary and of embedded lines may be curved; the Jacobian
- * is positive on the whole of every element, nowhere below a tenth of what it would be with straight edges.
+ * is positive on the whole of every element, nowhere below a tenth of what it would be with straight edges. A mesh read from a
+ * file is as the file has it; [leastJacobian] tells what it is.
  */
 public class QuadraticMesh internal constructor(
     internal val xy: DoubleArray,

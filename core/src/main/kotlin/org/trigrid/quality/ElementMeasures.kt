@@ -2,9 +2,14 @@ package org.trigrid.quality
 
 import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.mesh.TriMesh
+import org.trigrid.parallel.Crew
 
 /** Quality and angles of every element of a mesh. */
-internal class ElementMeasures(val mesh: TriMesh, val checkpoint: Checkpoint = Checkpoint.unheard()) {
+internal class ElementMeasures(
+    val mesh: TriMesh,
+    val checkpoint: Checkpoint = Checkpoint.unheard(),
+    crew: Crew = Crew.CALLER,
+) {
     val elementCount: Int = mesh.elementCount
     val qualities: DoubleArray = DoubleArray(elementCount)
 
@@ -16,13 +21,18 @@ internal class ElementMeasures(val mesh: TriMesh, val checkpoint: Checkpoint = C
     val angleHistogram: IntArray = IntArray(ANGLE_CLASSES)
 
     init {
-        for (t in 0 until elementCount) {
-            checkpoint.pass()
-            measure(t)
+        val pieces = (elementCount + PIECE - 1) / PIECE
+        val histograms = Array(pieces) { IntArray(ANGLE_CLASSES) }
+        crew.run(pieces, { checkpoint.ask() }) { piece, progress ->
+            for (t in piece * PIECE until Math.min(elementCount, (piece + 1) * PIECE)) {
+                if (t and ASK_MASK == 0) progress(0.0)
+                measure(t, histograms[piece])
+            }
         }
+        for (histogram in histograms) for (i in histogram.indices) angleHistogram[i] += histogram[i]
     }
 
-    private fun measure(t: Int) {
+    private fun measure(t: Int, angleHistogram: IntArray) {
         val xy = mesh.xy
         val a = 2 * mesh.elements[3 * t]
         val b = 2 * mesh.elements[3 * t + 1]
@@ -97,5 +107,9 @@ internal class ElementMeasures(val mesh: TriMesh, val checkpoint: Checkpoint = C
         const val TWO_ROOT_3 = 3.4641016151377544
         const val ANGLE_CLASSES = 18
         const val QUALITY_CLASSES = 10
+
+        /** Elements that one thread measures at a time. */
+        const val PIECE = 50_000
+        const val ASK_MASK = 4095
     }
 }

@@ -2,6 +2,7 @@ package org.trigrid.quality
 
 import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.mesh.TriMesh
+import org.trigrid.parallel.Crew
 
 /**
  * How good the elements of a mesh are.
@@ -123,7 +124,8 @@ public class QualityReport internal constructor(measures: ElementMeasures, worst
         }
 
         /** As [of], in a run that may be cancelled. */
-        internal fun of(mesh: TriMesh, checkpoint: Checkpoint): QualityReport = QualityReport(ElementMeasures(mesh, checkpoint), WORST)
+        internal fun of(mesh: TriMesh, checkpoint: Checkpoint, crew: Crew): QualityReport =
+            QualityReport(ElementMeasures(mesh, checkpoint, crew), WORST)
     }
 }
 

@@ -1,6 +1,7 @@
 package org.trigrid.spacing
 
 import org.trigrid.geometry.Pose
+import java.io.Serializable
 
 /**
  * Places that ask for small elements: points and polylines, anywhere. At a source elements have its size, and from there sizes
@@ -12,7 +13,8 @@ import org.trigrid.geometry.Pose
  *
  * Immutable: the `with` functions return changed copies.
  */
-public class SizeSources private constructor(private val places: List<DoubleArray>, private val sizes: List<Double>) {
+public class SizeSources private constructor(private val places: List<DoubleArray>, private val sizes: List<Double>) :
+    Serializable {
     /** Points and lines together. */
     @get:JvmName("count")
     public val count: Int get() = sizes.size
@@ -26,7 +28,7 @@ public class SizeSources private constructor(private val places: List<DoubleArra
     /**
      * With a point more.
      *
-     * @throws IllegalArgumentException if a coordinate is not finite, or unless the size is finite and > 0.
+     * @throws IllegalArgumentException if a coordinate is not finite, or unless the size is finite and at least 1e-60.
      */
     public fun withPoint(size: Double, x: Double, y: Double): SizeSources = with(size, doubleArrayOf(x, y))
 
@@ -34,7 +36,7 @@ public class SizeSources private constructor(private val places: List<DoubleArra
      * With a polyline more.
      *
      * @param coordinates x0, y0, x1, y1, … of at least two places; not modified.
-     * @throws IllegalArgumentException if there are fewer, a coordinate is not finite, or unless the size is finite and > 0.
+     * @throws IllegalArgumentException if there are fewer, a coordinate is not finite, or unless the size is finite and at least 1e-60.
      */
     public fun withLine(size: Double, vararg coordinates: Double): SizeSources {
         require(coordinates.size >= 4 && coordinates.size % 2 == 0) {
@@ -47,7 +49,7 @@ public class SizeSources private constructor(private val places: List<DoubleArra
     public fun with(other: SizeSources): SizeSources = SizeSources(places + other.places, sizes + other.sizes)
 
     private fun with(size: Double, place: DoubleArray): SizeSources {
-        require(size > 0 && size < Double.POSITIVE_INFINITY) { "the size of a size source must be a number above 0, not $size" }
+        require(size >= LEAST && size < Double.POSITIVE_INFINITY) { "the size of a size source must be a number of at least $LEAST, not $size" }
         for (c in place) require(c.isFinite()) { "a size source has a coordinate that is not a finite number: $c" }
         return SizeSources(places.plusElement(place), sizes + size)
     }
@@ -71,5 +73,10 @@ public class SizeSources private constructor(private val places: List<DoubleArra
         /** No source. */
         @JvmField
         public val NONE: SizeSources = SizeSources(emptyList(), emptyList())
+
+        /** That of segments: products of smaller lengths leave the range of numbers. */
+        private const val LEAST = 1e-60
+
+        private const val serialVersionUID = 1L
     }
 }

@@ -18,7 +18,7 @@ class BuildEqualityTest {
 
     @Test
     fun `same modules under the same coordinates`() {
-        assertEquals(listOf("core", "cli", "editor", "benchmarks", "samples"), maven.modules)
+        assertEquals(listOf("core", "cli", "editor", "benchmarks", "samples", "spark"), maven.modules)
         assertEquals(maven.modules, gradle.modules)
         assertEquals("trigrid", gradle.rootName)
         assertEquals(maven.groupId, gradle.group)

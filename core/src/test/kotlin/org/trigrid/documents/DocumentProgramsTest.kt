@@ -18,7 +18,7 @@ class DocumentProgramsTest {
     fun `every program in the documents is compiled and run`() {
         val programs = documents().flatMap { programs(it) }
         assertTrue(programs.any { it.language == "java" } && programs.any { it.language == "kotlin" })
-        val sources = listOf("core/src/test", "samples").map { root.resolve(it) }.filter { it.exists() }.flatMap { files(it, "java", "kt") }
+        val sources = listOf("core/src/test", "samples", "spark/src/test").map { root.resolve(it) }.filter { it.exists() }.flatMap { files(it, "java", "kt") }
         val lines = sources.associateWith { it.readLines() }
         val strangers = programs.filter { program ->
             lines.none { (file, text) -> (file.extension == "java") == (program.language == "java") && program.isIn(text) }

@@ -21,6 +21,15 @@ class PathEditTest {
     )
 
     @Test
+    fun `a shape that is only renamed keeps the edits of its nodes`() {
+        val path = Path.of(Rectangle(0.0, 0.0, 4.0, 2.0, 1.0)).moveNode(1, 1.0, -0.5).deleteNode(2)
+        val renamed = path.replaceShape(0, path.shape(0).withName("wall"))
+        assertArrayEquals(path.nodeCoordinates(), renamed.nodeCoordinates())
+        assertEquals("wall", renamed.shape(0).name)
+        assertEquals(12, renamed.replaceShape(0, renamed.shape(0).withName("inlet").withSpacing(1.0 + 1e-9)).nodes().size)
+    }
+
+    @Test
     fun `a moved node takes all walks along and unlinks its shapes`() {
         val moved = square.moveNode(1, 1.0, -0.5)
         assertEquals(Point2(1.0, -0.5), moved.node(1))

@@ -10,13 +10,13 @@ import org.trigrid.domain.DomainCheck
 
 class DxfReaderTest {
     /** @param entities words: the type, then codes and values. */
-    private fun dxf(vararg entities: String, units: Int = 0): String {
-        val header = "0\nSECTION\n2\nHEADER\n9\n\$ACADVER\n1\nAC1015\n9\n\$INSUNITS\n70\n$units\n0\nENDSEC\n"
-        return header + "  0\nSECTION\n  2\nENTITIES\n" + entities.joinToString("") { e ->
-            val words = e.split(' ')
-            "0\n" + words.joinToString("\n") + "\n"
-        } + "0\nENDSEC\n0\nEOF\n"
+    private fun dxf(vararg entities: String, units: Int = 0, blocks: String = ""): String {
+        val header = "0\nSECTION\n2\nHEADER\n9\n\$ACADVER\n1\nAC1015\n9\n\$INSUNITS\n70\n$units\n0\nENDSEC\n" +
+            (if (blocks.isEmpty()) "" else "0\nSECTION\n2\nBLOCKS\n" + pairs(*blocks.split("; ").toTypedArray()) + "0\nENDSEC\n")
+        return header + "  0\nSECTION\n  2\nENTITIES\n" + pairs(*entities) + "0\nENDSEC\n0\nEOF\n"
     }
+
+    private fun pairs(vararg entities: String) = entities.joinToString("") { e -> "0\n" + e.split(' ').joinToString("\n") + "\n" }
 
     private fun line(x0: Double, y0: Double, x1: Double, y1: Double, layer: String = "L") = "LINE 8 $layer 10 $x0 20 $y0 11 $x1 21 $y1"
 
@@ -98,11 +98,74 @@ class DxfReaderTest {
         assertThrows(FileFormatException::class.java) { read(none, CurveDivision.DEFAULT.withUnit(LengthUnit.METRE)) }
     }
 
+    /** A square of side 2 about (10, 20), the base point, on layer 0, with a hole in a block of its own. */
+    private val plate = "BLOCK 8 0 2 Plate 70 0 10 10 20 20; LWPOLYLINE 8 0 90 4 70 1 10 9 20 19 10 11 20 19 10 11 20 21 10 9 20 21; " +
+        "INSERT 8 holes 2 HOLE 10 10 20 20; ENDBLK; BLOCK 2 hole 10 0 20 0; CIRCLE 8 0 10 0 20 0 40 0.5; ENDBLK; " +
+        "BLOCK 2 *D1 10 0 20 0; SOLID 10 0 20 0; CIRCLE 10 x 20 0 40 1; POINT 10 0 20 0; ENDBLK"
+
+    @Test
+    fun `blocks go where they are inserted, scaled, turned and mirrored`() {
+        fun box(domain: Domain) = listOf(
+            (0 until domain.nodeCount).minOf { domain.x(it) }, (0 until domain.nodeCount).minOf { domain.y(it) },
+            (0 until domain.nodeCount).maxOf { domain.x(it) }, (0 until domain.nodeCount).maxOf { domain.y(it) },
+        )
+        fun check(domain: Domain, area: Double, vararg box: Double) {
+            assertEquals(area, domain.area, 1e-3)
+            for ((expected, found) in box.toList().zip(box(domain))) assertEquals(expected, found, 1e-9)
+        }
+        val hole = Math.PI / 4
+        val moved = read(dxf("INSERT 8 outer 2 PLATE 10 5 20 6", blocks = plate), fine)
+        check(moved, 4 - hole, 4.0, 5.0, 6.0, 7.0)
+        // What is on layer 0 of a block is on the layer of the block.
+        assertEquals(setOf("outer", "holes"), moved.tags.toSet())
+        // Twice as wide, then turned by a right angle: higher. The hole becomes an ellipse.
+        check(read(dxf("INSERT 2 plate 10 0 20 0 41 2 42 1 50 90", blocks = plate), fine), 2 * (4 - hole), -1.0, -2.0, 1.0, 2.0)
+        check(read(dxf("INSERT 2 plate 10 3 20 0 41 -1", blocks = plate), fine), 4 - hole, 2.0, -1.0, 4.0, 1.0)
+        check(read(dxf("INSERT 2 plate 10 3 20 0 230 -1", blocks = plate), fine), 4 - hole, -4.0, -1.0, -2.0, 1.0)
+        val inch = read(dxf("INSERT 2 plate 10 0 20 0", blocks = plate, units = 1), fine.withUnit(LengthUnit.MILLIMETRE))
+        check(inch, (4 - hole) * 25.4 * 25.4, -25.4, -25.4, 25.4, 25.4)
+    }
+
+    @Test
+    fun `blocks in rows and columns, turned as a whole`() {
+        val outline = "LWPOLYLINE 90 4 70 1 10 -20 20 -20 10 20 20 -20 10 20 20 20 10 -20 20 20"
+        val domain = read(dxf(outline, "INSERT 2 hole 10 1 20 2 50 90 70 3 71 2 44 4 45 5", blocks = plate), fine)
+        assertEquals(7, domain.loopCount)
+        assertEquals(1600 - 6 * Math.PI / 4, domain.area, 1e-2)
+        val centres = (0 until domain.loopCount).filter { domain.isHole(it) }.map { loop ->
+            val nodes = domain.loopNodes(loop)
+            Math.round(nodes.map { domain.x(it) }.average()) to Math.round(nodes.map { domain.y(it) }.average())
+        }
+        // Columns run along y, rows against x.
+        assertEquals((0..1).flatMap { row -> (0..2).map { (1L - 5 * row) to (2L + 4 * it) } }.toSet(), centres.toSet())
+    }
+
+    @Test
+    fun `what is hidden or on paper is passed over`() {
+        val domain = read(dxf("CIRCLE 10 0 20 0 40 1", "CIRCLE 10 9 20 0 40 2 67 1", "CIRCLE 10 9 20 0 40 3 60 1"), fine)
+        assertEquals(Math.PI, domain.area, 1e-3)
+    }
+
+    @Test
+    fun `blocks that cannot be read matter where they are used`() {
+        fun fault(blocks: String, vararg entities: String) =
+            assertThrows(FileFormatException::class.java) { read(dxf(*entities, blocks = blocks)) }
+        val solid = fault(plate, "INSERT 2 *D1 10 0 20 0")
+        assertTrue("SOLID" in solid.message!!, solid.message)
+        assertTrue("in itself" in fault("BLOCK 2 a; INSERT 2 b; ENDBLK; BLOCK 2 b; INSERT 2 A; ENDBLK", "INSERT 2 a").message!!)
+        assertTrue("by 0" in fault(plate, "INSERT 2 plate 41 0").message!!)
+        assertTrue("too much" in fault(plate, "INSERT 2 plate 70 32000 71 32000").message!!)
+        val bomb = (1..5).joinToString("; ") { "BLOCK 2 b$it; INSERT 2 b${it - 1} 70 100; ENDBLK" } + "; BLOCK 2 b0; CIRCLE 10 0 20 0 40 1; ENDBLK"
+        assertTrue("pieces" in fault(bomb, "INSERT 2 b5").message!!)
+        // A file that ends in the middle of a block.
+        assertTrue("no closed outline" in assertThrows(FileFormatException::class.java) { read("0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\na\n0\nSOLID") }.message!!)
+    }
+
     @Test
     fun `what cannot be read is refused with its line`() {
         fun fault(text: String) = assertThrows(FileFormatException::class.java) { read(text) }
         val insert = fault(dxf("CIRCLE 10 0 20 0 40 1", "INSERT 2 A 10 0 20 0"))
-        assertTrue("explode" in insert.message!!)
+        assertTrue("no block A" in insert.message!!)
         assertEquals(27, insert.line)
         assertTrue("group code" in fault("0\nSECTION\nx\ny\n").message!!)
         assertTrue("binary" in fault("AutoCAD Binary DXF\r\n\u001a\u0000").message!!)

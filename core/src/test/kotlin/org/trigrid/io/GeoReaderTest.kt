@@ -55,7 +55,7 @@ class GeoReaderTest {
     @Test
     fun `splines go where Gmsh's go`() {
         val points = "Point(1)={0,0,0}; Point(2)={1,2,0}; Point(3)={3,3,0}; Point(4)={4,0,0}; Point(5)={2,-1,0}; Point(6)={7,-1,0};\n"
-        fun curve(statement: String): PlaneCurve = GeoReader(GeoTokens("$points$statement;", "x.geo")).read().curves.getValue(1)
+        fun curve(statement: String): PlaneCurve = GeoReader(GeoTokens("$points$statement;", "x.geo")).read().curves[1]!!
             .curve
         fun at(curve: PlaneCurve, share: Double) = doubleArrayOf(
             curve.x(curve.knots.first() + share * (curve.knots.last() - curve.knots.first())),
@@ -97,6 +97,77 @@ class GeoReaderTest {
         for (i in 0..3) assertEquals((4 shl i) / 15.0, bottom[i], 1e-12)
     }
 
+    /** As users write it: holes in rows by loops, sizes afterwards, a switch, lists of what was made. */
+    private val perforated = """
+        DefineConstant[ n = {3, Min 1, Max 9, Name "Parameters/Holes"}, round = 1 ];
+        lc = DefineNumber[ 0.5, Name "Parameters/lc" ];
+        Point(1) = {0, 0, 0}; Point(2) = {n + 1, 0, 0}; Point(3) = {n + 1, 3, 0}; Point(4) = {0, 3, 0};
+        For i In {1:4}
+          Line(i) = {i, i % 4 + 1};
+        EndFor
+        loops[] = {};
+        k = 0;
+        For i In {1 : n}
+          For (1 : 2)
+            k++;
+            p = newp; r = 0.2;
+            x = i; y = k % 2 + 1;
+            Point(p) = {x, y, 0}; Point(p + 1) = {x + r, y, 0}; Point(p + 2) = {x - r, y, 0};
+            a = newc;
+            If (round == 1 && r > 0)
+              Circle(a) = {p + 1, p, p + 2}; Circle(a + 1) = {p + 2, p, p + 1};
+            ElseIf (round == 2)
+              Line(a) = {p, p, p};
+            Else
+              Line(a) = {p};
+            EndIf
+            all() += {a, a + 1};
+            Curve Loop(a) = {a, a + 1};
+            loops[] += a;
+          EndFor
+        EndFor
+        For i In {5:1:1}
+          Nonsense;
+        EndFor
+        Line Loop(1) = {1:4};
+        Plane Surface(1) = {1, loops[]};
+        Point(1000) = {0, 0.5, 0, lc}; Point(1001) = {n + 1, 0.5, 0, lc};
+        Line(1000) = {1000, 1001};
+        Characteristic Length {:} = lc;
+        MeshSize {1, 2} = lc / 2;
+        Physical Curve("holes") = {all[]};
+        Transfinite Surface {1}; Recombine Surface {1};
+        Printf("%g holes", #loops[]);
+    """.trimIndent()
+
+    @Test
+    fun `loops, branches and lists`() {
+        val domain = read(perforated)
+        assertEquals(emptyList<Any>(), DomainCheck.check(domain))
+        assertEquals(7, domain.loopCount)
+        assertEquals(12 - 6 * 0.04 * Math.PI, read(perforated, DrawingTexts.spaced(0.01)).area, 1e-3)
+        val holes = (0 until domain.segmentCount).count { domain.tags[domain.segmentTag(it)] == "holes" }
+        // By its sizes half a circle would be one edge; Gmsh makes three.
+        assertEquals(6 * 2 * 3, holes)
+        val bottom = (0 until domain.segmentCount).filter { domain.y(domain.segmentStart(it)) == 0.0 && domain.y(domain.segmentEnd(it)) == 0.0 }
+        assertEquals(16, bottom.size)
+    }
+
+    @Test
+    fun `curves inside of a surface, and whole circles`() {
+        val text = """
+            SetFactory("OpenCASCADE");
+            Circle(1) = {0, 0, 0, 2}; Circle(2) = {0, 0, 0, 1, 0, Pi}; Curve Loop(1) = {1}; Plane Surface(1) = {1};
+            Point(10) = {-0.5, -1, 0}; Point(11) = {0.5, -1, 0}; Line(10) = {10, 11};
+            Curve{2, 10} In Surface{1};
+        """.trimIndent()
+        val domain = read(text, DrawingTexts.spaced(0.05))
+        assertEquals(4 * Math.PI, domain.area, 0.01)
+        val inner = (0 until domain.segmentCount).filter { domain.isEmbedded(it) }
+        assertEquals(Math.PI + 1, inner.sumOf { domain.segmentLength(it) }, 1e-3)
+        assertEquals(emptyList<Any>(), DomainCheck.check(domain))
+    }
+
     @Test
     fun `new numbers`() {
         val text = """
@@ -118,6 +189,9 @@ class GeoReaderTest {
         assertEquals(5.0, value("Sqrt[3*3 + 4*4]"))
         assertEquals(1e-3, value("1e-3"))
         assertEquals(-1.0, value("2 - 3"))
+        assertEquals(1.0, value("1 + 1 == 2 && !(3 < 2)"))
+        assertEquals(0.0, value("1 >= 2 || 2 != 2"))
+        assertEquals(1.0, value("2 <= 2"))
     }
 
     @Test
@@ -133,6 +207,17 @@ class GeoReaderTest {
         assertTrue("no Plane Surface" in fault("a = 1;").message!!)
         assertTrue("not closed" in fault("Point(1)={0,0,0};Point(2)={1,0,0};Line(1)={1,2};Line Loop(1)={1};Plane Surface(1)={1};").message!!)
         assertTrue("expected ';'" in fault("a = 1 b = 2;").message!!)
-        assertTrue("For" in fault("For i In {1:3}").message!!)
+        assertTrue("For has no end" in fault("For i In {1:3}").message!!)
+        assertTrue("If has no end" in fault("If (1)").message!!)
+        assertTrue("If has no end" in fault("If (0) a = 1; Else").message!!)
+        assertTrue("no For" in fault("EndFor").message!!)
+        assertTrue("no If" in fault("For i In {1:2} Else EndFor").message!!)
+        assertTrue("go round" in fault("For i In {1:1000} For j In {1:1000} EndFor EndFor").message!!)
+        assertTrue("too long" in fault("For i In {1:1000000000} EndFor").message!!)
+        assertTrue("have more" in fault("For i In {1:1000} a[] = {1:10000}; EndFor").message!!)
+        assertTrue("Macro" in fault("Macro Hole\nReturn").message!!)
+        assertTrue("Field" in fault("Field[1] = Distance;").message!!)
+        assertTrue("points inside" in fault("Point{1} In Surface{1};").message!!)
+        assertTrue("no place 3" in fault("a[] = {1, 2}; b = a[3];").message!!)
     }
 }

@@ -26,7 +26,7 @@ class MeshFormatsTest {
         return out.toString(Charsets.US_ASCII)
     }
 
-    private fun read(text: String): TriMesh = MshReader.contents(text.toByteArray(), "test.msh").toMesh()
+    private fun read(text: String): TriMesh = MshReader.read(text.toByteArray(), "test.msh").corners
 
     @Test
     fun `a round trip keeps every bit`() {
@@ -183,7 +183,7 @@ class MeshFormatsTest {
                 val bytes = if (it % 2 == 0) good.copyOf(random.nextInt(good.size)) else good.copyOf()
                 if (it % 2 == 1) repeat(1 + random.nextInt(2)) { bytes[random.nextInt(bytes.size)] = "0123456789 -.\n\"$".random(random) }
                 try {
-                    MshReader.contents(bytes, "x").toMesh()
+                    MshReader.read(bytes, "x")
                 } catch (e: FileFormatException) {
                     assertTrue(e.line > 0)
                 }

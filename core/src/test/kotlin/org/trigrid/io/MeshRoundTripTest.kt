@@ -73,7 +73,7 @@ class MeshRoundTripTest {
         val out = ByteArrayOutputStream()
         MeshFormats.write(mesh, out, MeshFormat.MSH_22_BINARY)
         val big = BigEndian.msh22(out.toByteArray())
-        assertArrayEquals(mesh.xy, MshReader.contents(big, "big").toMesh().xy)
+        assertArrayEquals(mesh.xy, MshReader.read(big, "big").corners.xy)
     }
 
     @Test
@@ -84,25 +84,25 @@ class MeshRoundTripTest {
 0 0 0 1 0 0  1 1 0  0 1e0 0</DataArray></Points><Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 0 2 3 0 1</DataArray>
 <DataArray type="Int64" Name="offsets" format="ascii">3 6 8</DataArray>
 <DataArray type="UInt8" Name="types" format="ascii">5 5 3</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>"""
-        assertEquals(2, VtuReader.contents(ascii.toByteArray(), "a.vtu").toMesh().elementCount)
+        assertEquals(2, VtuReader.read(ascii.toByteArray(), "a.vtu").corners.elementCount)
         // Written by meshio 5.3.5: base64, compressed by zlib.
         val zlib = Files.readAllBytes(Path.of("..", "src-test-data", "meshes", "two-zlib.vtu"))
-        val mesh = VtuReader.contents(zlib, "b.vtu").toMesh()
+        val mesh = VtuReader.read(zlib, "b.vtu").corners
         assertArrayEquals(intArrayOf(0, 1, 2, 0, 2, 3), mesh.elements)
         assertArrayEquals(doubleArrayOf(0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.1), mesh.xy)
         val plain = Files.readAllBytes(Path.of("..", "src-test-data", "meshes", "two-base64.vtu"))
-        assertArrayEquals(mesh.xy, VtuReader.contents(plain, "c.vtu").toMesh().xy)
+        assertArrayEquals(mesh.xy, VtuReader.read(plain, "c.vtu").corners.xy)
     }
 
     @Test
     fun `faults are named with their lines`() {
         fun fault(read: () -> Unit): FileFormatException = assertThrows(FileFormatException::class.java) { read() }
         val medit = "MeshVersionFormatted 2\nDimension 2\nVertices 3\n0 0 0\n1 0 0\n0 x 0\nEnd\n"
-        assertEquals(6, fault { MeditReader.contents(medit.toByteArray(), "m.mesh").toMesh() }.line)
+        assertEquals(6, fault { MeditReader.read(medit.toByteArray(), "m.mesh") }.line)
         val quads = "MeshVersionFormatted 1 Dimension 3\n# none\nVertices 1 0 0 0 0\nQuadrilaterals 1 1 1 1 1 0\n"
-        assertTrue("Quadrilaterals" in fault { MeditReader.contents(quads.toByteArray(), "m.mesh").toMesh() }.message!!)
+        assertTrue("Quadrilaterals" in fault { MeditReader.read(quads.toByteArray(), "m.mesh") }.message!!)
         val vtu = "<VTKFile type=\"UnstructuredGrid\">\n<Piece>\n<Points></Piece></VTKFile>"
-        assertEquals(3, fault { VtuReader.contents(vtu.toByteArray(), "v.vtu").toMesh() }.line)
+        assertEquals(3, fault { VtuReader.read(vtu.toByteArray(), "v.vtu") }.line)
         Files.writeString(folder.resolve("t.node"), "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n")
         Files.writeString(folder.resolve("t.ele"), "1 3 0\n\n1 1 2 4\n")
         val triangle = fault { MeshFormats.read(folder.resolve("t.ele")) }

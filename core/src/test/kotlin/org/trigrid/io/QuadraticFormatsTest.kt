@@ -10,19 +10,22 @@ import org.junit.jupiter.api.io.TempDir
 import org.trigrid.MeshGenerator
 import org.trigrid.MeshRework
 import org.trigrid.diagnostics.FileFormatException
+import org.trigrid.domain.Domain
+import org.trigrid.domain.Path
 import org.trigrid.mesh.EdgeMiddles
+import org.trigrid.mesh.MeshCheck
 import org.trigrid.mesh.QuadraticMesh
+import org.trigrid.mesh.TriMesh
 import org.trigrid.mesh.TriMeshFactory
-import org.trigrid.project.ProjectFile
 import org.trigrid.project.ShapeMiddles
+import org.trigrid.shape.Circle
 import java.io.ByteArrayOutputStream
 import java.nio.file.Files
-import java.nio.file.Path
 
 /** Meshes of six-node triangles in files; the programs of users read them in `.ci/formats.py`. */
 class QuadraticFormatsTest {
     @TempDir
-    lateinit var folder: Path
+    lateinit var folder: java.nio.file.Path
 
     private val one: QuadraticMesh = QuadraticMesh.of(
         TriMeshFactory.of(doubleArrayOf(0.0, 0.0, 2.0, 0.0, 0.0, 1.0), intArrayOf(0, 1, 2), intArrayOf(0, 1), intArrayOf(0), listOf("low"), "steel"),
@@ -78,55 +81,71 @@ class QuadraticFormatsTest {
         }
     }
 
-    @Test
-    fun `meshes of six-node triangles come back to the bit, with curved middles, regions and points`() {
-        val disc = Path.of("../src-test-data/regions/stator-slot.trigrid.json").let { ProjectFile.read(it) }
-        val made = MeshGenerator.generate(disc.toDomain()).mesh
-        val mesh = MeshRework.secondOrder(made, ShapeMiddles(disc.path))
-        for (format in MeshFormats.all().filter { it.highestOrder == 2 && it.canRead }) {
-            val file = folder.resolve("slot" + format.endings[0])
-            MeshFormats.write(mesh, file, format)
-            assertEquals(2, MeshFormats.orderOf(file))
-            val back = MeshFormats.readSecondOrder(file)
-            assertArrayEquals(mesh.nodeCoordinates(), back.nodeCoordinates(), 0.0, format.name)
-            // MSH 4.1 has them region by region.
-            assertEquals(elements(mesh), elements(back), format.name)
-            assertEquals(mesh.boundaryEdgeCount, back.boundaryEdgeCount, format.name)
-            assertEquals(mesh.taggedEdgeCount, back.taggedEdgeCount, format.name)
-            if (format != MeshFormat.MEDIT) {
-                for (tag in mesh.tags) assertArrayEquals(mesh.nodesOn(tag), back.nodesOn(tag), "${format.name} $tag")
-                for (region in mesh.regions) assertEquals(area(mesh, region.name), area(back, region.name), 1e-9, format.name)
-            }
-            MeshFormats.write(back, file, format)
-            assertArrayEquals(mesh.nodeCoordinates(), MeshFormats.readSecondOrder(file).nodeCoordinates(), 0.0)
-        }
-        val plain = folder.resolve("plain.msh")
-        MeshFormats.write(made, plain)
-        assertEquals(1, MeshFormats.orderOf(plain))
-        assertTrue("six nodes" in assertThrows(FileFormatException::class.java) { MeshFormats.readSecondOrder(plain) }.message!!)
+    /** A ring with curved edges, an embedded line and renumbered nodes. */
+    private val ring: QuadraticMesh by lazy {
+        val path = Path.of(Circle(0.0, 0.0, 2.0, 0.4).withName("outside"), Circle(0.0, 0.0, 1.0, 0.3).withName("inside"))
+        MeshRework.secondOrder(MeshGenerator.generate(path.toDomain()).mesh, ShapeMiddles(path))
     }
 
-    private fun elements(mesh: QuadraticMesh) = mesh.elementNodes().toList().chunked(6).map { nodes ->
-        val first = (0..2).minByOrNull { nodes[it] }!!
-        List(6) { nodes[it / 3 * 3 + (it + first) % 3] }
-    }.toSet()
+    private val two = TriMesh.of(doubleArrayOf(0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0), intArrayOf(0, 1, 2, 0, 2, 3))
 
-    private fun area(mesh: QuadraticMesh, region: String) =
-        (0 until mesh.elementCount).filter { mesh.regions[mesh.regionOf(it)].name == region }.sumOf { mesh.area(it) }
+    private val readable = MeshFormats.all().filter { it.highestOrder == 2 && it.canRead }
 
     @Test
-    fun `what is no mesh of six-node triangles is told`() {
-        val text = text(MeshFormat.MSH_22)
-        val file = folder.resolve("bad.msh")
-        for ((from, to) in listOf(
-            "4 1 -0.125 0" to "4 1 5 0",                       // the middle of an edge, beyond the opposite corner
-            "4 9 2 3 1 1 2 3 4 5 6" to "4 9 2 3 1 1 2 3 4 5 5",
-            "4 9 2 3 1 1 2 3 4 5 6" to "4 9 2 3 1 1 2 3 4 5 1",
-            "1 8 2 1 1 1 2 4" to "1 8 2 1 1 1 2 5",
-            "1 8 2 1 1 1 2 4" to "1 1 2 1 1 1 2",
-        )) {
-            Files.writeString(file, text.replace(from, to).also { assertTrue(it != text) { from } })
-            assertThrows(FileFormatException::class.java, { MeshFormats.readSecondOrder(file) }, to)
+    fun `what is written is read back`() {
+        assertEquals(listOf("msh22", "msh41", "msh22-binary", "msh41-binary", "vtu", "medit"), readable.map { it.name })
+        val domain = Domain.builder().outer(doubleArrayOf(0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0), "rim").embed(doubleArrayOf(0.2, 0.2, 0.4, 0.2), "line").build()
+        for (mesh in listOf(one, ring, QuadraticMesh.of(MeshGenerator.generate(domain).mesh))) {
+            for (format in readable) {
+                val file = folder.resolve("mesh" + format.endings[0])
+                MeshFormats.write(mesh, file, format)
+                val read = MeshFormats.readEither(file)
+                val quadratic = read.quadratic!!
+                assertEquals(2, read.order)
+                assertArrayEquals(mesh.nodeCoordinates(), quadratic.nodeCoordinates(), format.name)
+                assertArrayEquals(mesh.elementNodes(), quadratic.elementNodes(), format.name)
+                assertEquals(mesh.boundaryEdgeCount, quadratic.boundaryEdgeCount)
+                for (tag in mesh.tags) {
+                    val named = if (format === MeshFormat.MEDIT) "ref_${mesh.tags.indexOf(tag) + 1}" else tag
+                    assertArrayEquals(mesh.nodesOn(tag), quadratic.nodesOn(named), "${format.name} $tag")
+                }
+                assertEquals(emptyList<Any>(), MeshCheck.check(read.corners))
+                assertTrue((0 until quadratic.elementCount).all { quadratic.leastJacobian(it) > 0 })
+            }
         }
+    }
+
+    @Test
+    fun `clockwise elements are turned, and nodes of no element left out`() {
+        val text = text(MeshFormat.MSH_22).replace("4 9 2 3 1 1 2 3 4 5 6", "4 9 2 3 1 1 3 2 6 5 4")
+            .replace("\$Nodes\n6\n", "\$Nodes\n7\n99 5 5 0\n")
+        val read = MeshFormats.readEither(Files.writeString(folder.resolve("turned.msh"), text)).quadratic!!
+        assertEquals(one.nodeCount, read.nodeCount)
+        assertEquals(one.area(0), read.area(0))
+        assertArrayEquals(one.nodesOn("low"), read.nodesOn("low"))
+        for (k in 0..2) {
+            val a = read.nodeOf(0, k)
+            val b = read.nodeOf(0, (k + 1) % 3)
+            assertEquals((one.x(a) + one.x(b)) / 2, read.x(read.nodeOf(0, 3 + k)))
+        }
+    }
+
+    @Test
+    fun `middles that fit nowhere are told with their place`() {
+        fun fault(from: String, to: String): String {
+            val out = ByteArrayOutputStream()
+            MeshFormats.write(QuadraticMesh.of(two), out, MeshFormat.MSH_22)
+            val text = out.toString(Charsets.UTF_8)
+            assertTrue(from in text, text)
+            val file = Files.writeString(folder.resolve("bad.msh"), text.replace(from, to))
+            return assertThrows(FileFormatException::class.java) { MeshFormats.readEither(file) }.message!!
+        }
+        val elements = Regex("(?m)^\\d+ 9 2 \\d+ 1 .*$").findAll(
+            ByteArrayOutputStream().also { MeshFormats.write(QuadraticMesh.of(two), it, MeshFormat.MSH_22) }.toString(),
+        ).map { it.value }.toList()
+        val words = elements[0].split(' ')
+        assertTrue("something else too" in fault(elements[0], (words.dropLast(1) + words[5]).joinToString(" ")))
+        assertTrue("three nodes and of six" in fault(elements[0], (listOf(words[0], "2") + words.subList(2, 8)).joinToString(" ")))
+        assertTrue("the middle" in fault(elements[0], (words.subList(0, 8) + listOf(words[9], words[10], words[8])).joinToString(" ")))
     }
 }

@@ -18,8 +18,9 @@ import org.trigrid.io.PolyReader
 import org.trigrid.io.TriangleReader
 import org.trigrid.io.VtuReader
 import org.trigrid.io.WktReader
-import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.project.Project
+import org.trigrid.mesh.QuadraticMesh
+import org.trigrid.mesh.TriMesh
 import org.trigrid.project.ProjectFile
 import org.trigrid.shape.Arc
 import org.trigrid.shape.Circle
@@ -49,20 +50,17 @@ internal class FileKind(val name: String, val samples: List<String>, private val
             FileKind("geojson", listOf(GEOJSON, LOOPS)) { text -> GeoJsonReader.read(text, "file", "base").forEach { DomainCheck.check(it.domain) } },
             FileKind("wkt", listOf(WKT)) { text -> WktReader.read(text, "file", "base").forEach { DomainCheck.check(it.domain) } },
             FileKind("poly", listOf(POLY, POLY + "2\n1 1 0.5 2 -1\n2 3.5 3.5 0.5 0.01\n")) { text -> PolyReader.read(FilePath.of("none.poly"), text).forEach { DomainCheck.check(it.domain) } },
-            FileKind("msh 2.2", listOf(mesh(MeshFormat.MSH_22))) { text -> MshReader.contents(text.toByteArray(), "file").toMesh() },
-            FileKind("msh 4.1", listOf(mesh(MeshFormat.MSH_41))) { text -> MshReader.contents(text.toByteArray(), "file").toMesh() },
-            FileKind("msh 2.2 binary", listOf(mesh(MeshFormat.MSH_22_BINARY))) { text -> MshReader.contents(bytes(text), "file").toMesh() },
-            FileKind("msh 4.1 binary", listOf(mesh(MeshFormat.MSH_41_BINARY))) { text -> MshReader.contents(bytes(text), "file").toMesh() },
+            FileKind("msh 2.2", listOf(mesh(MeshFormat.MSH_22), quadratic(MeshFormat.MSH_22))) { text -> MshReader.read(text.toByteArray(), "file") },
+            FileKind("msh 4.1", listOf(mesh(MeshFormat.MSH_41), quadratic(MeshFormat.MSH_41))) { text -> MshReader.read(text.toByteArray(), "file") },
+            FileKind("msh 2.2 binary", listOf(mesh(MeshFormat.MSH_22_BINARY), quadratic(MeshFormat.MSH_22_BINARY))) { text -> MshReader.read(bytes(text), "file") },
+            FileKind("msh 4.1 binary", listOf(mesh(MeshFormat.MSH_41_BINARY), quadratic(MeshFormat.MSH_41_BINARY))) { text -> MshReader.read(bytes(text), "file") },
             FileKind("svg", listOf(SVG)) { text -> drawing(DomainFormat.SVG, text) },
             FileKind("dxf", listOf(DXF.replace(' ', '\n'))) { text -> drawing(DomainFormat.DXF, text) },
             FileKind("geo", listOf(GEO)) { text -> drawing(DomainFormat.GEO, text) },
             FileKind("points", listOf("x,y\n0,0\n4,0\n4.5,4e0\n\n1,1\n2,1\n2,2\n")) { text -> drawing(DomainFormat.POINTS, text) },
             FileKind("topojson", listOf(TOPOJSON)) { text -> drawing(DomainFormat.TOPOJSON, text) },
-            FileKind("msh 2.2, six nodes", listOf(sixNodes(MeshFormat.MSH_22))) { MshReader.contents(it.toByteArray(), "file").toQuadraticMesh() },
-            FileKind("vtu, six nodes", listOf(sixNodes(MeshFormat.VTU))) { text -> VtuReader.contents(bytes(text), "file").toQuadraticMesh() },
-            FileKind("medit, six nodes", listOf(sixNodes(MeshFormat.MEDIT))) { MeditReader.contents(bytes(it), "file").toQuadraticMesh() },
-            FileKind("vtu", listOf(mesh(MeshFormat.VTU), VTU)) { text -> VtuReader.contents(bytes(text), "file").toMesh() },
-            FileKind("medit", listOf(mesh(MeshFormat.MEDIT))) { text -> MeditReader.contents(bytes(text), "file").toMesh() },
+            FileKind("vtu", listOf(mesh(MeshFormat.VTU), quadratic(MeshFormat.VTU), VTU)) { text -> VtuReader.read(bytes(text), "file") },
+            FileKind("medit", listOf(mesh(MeshFormat.MEDIT), quadratic(MeshFormat.MEDIT))) { text -> MeditReader.read(bytes(text), "file") },
             FileKind("triangle nodes", listOf(NODE)) { text -> triangle().read(text, ELE, null) },
             FileKind("triangle elements", listOf(ELE)) { text -> triangle().read(NODE, text, EDGE) },
             FileKind("triangle edges", listOf(EDGE)) { text -> triangle().read(NODE, ELE, text) },
@@ -84,20 +82,22 @@ internal class FileKind(val name: String, val samples: List<String>, private val
             return ProjectFile.format(Project.builder().path(path).inner(inner).region(Region.of("iron").withMaterial(1)).build())
         }
 
-        private fun domain(): Domain = Domain.builder().outer(doubleArrayOf(0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0), "rim")
-            .embed(doubleArrayOf(0.2, 0.2, 0.4, 0.2), "line").embedLoop(doubleArrayOf(0.5, 0.5, 0.8, 0.5, 0.6, 0.8), "ring")
-            .region(0.65, 0.6, Region.of("inner")).embedPoint(0.2, 0.7, "probe").build()
-
-        private fun sixNodes(format: MeshFormat): String {
-            val out = ByteArrayOutputStream()
-            MeshFormats.write(QuadraticMesh.of(MeshGenerator.generate(domain()).mesh), out, format)
-            return out.toString(Charsets.ISO_8859_1)
+        private fun square(): TriMesh {
+            val domain = Domain.builder().outer(doubleArrayOf(0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0), "rim")
+                .embed(doubleArrayOf(0.2, 0.2, 0.4, 0.2), "line").embedLoop(doubleArrayOf(0.5, 0.5, 0.8, 0.5, 0.6, 0.8), "ring")
+                .region(0.65, 0.6, Region.of("inner")).embedPoint(0.2, 0.7, "probe").build()
+            return MeshGenerator.generate(domain).mesh
         }
 
         private fun mesh(format: MeshFormat): String {
-            val domain = domain()
             val out = ByteArrayOutputStream()
-            MeshFormats.write(MeshGenerator.generate(domain).mesh, out, format)
+            MeshFormats.write(square(), out, format)
+            return out.toString(Charsets.ISO_8859_1)
+        }
+
+        private fun quadratic(format: MeshFormat): String {
+            val out = ByteArrayOutputStream()
+            MeshFormats.write(QuadraticMesh.of(square()), out, format)
             return out.toString(Charsets.ISO_8859_1)
         }
 

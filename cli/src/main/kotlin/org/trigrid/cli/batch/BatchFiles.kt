@@ -1,14 +1,15 @@
 package org.trigrid.cli.batch
 
-import org.trigrid.cli.MeshOutput
+import org.trigrid.cli.DomainFileNames
 import picocli.CommandLine
 import picocli.CommandLine.ParameterException
 import java.io.IOException
+import java.io.UncheckedIOException
 import java.nio.file.FileSystems
 import java.nio.file.Files
 import java.nio.file.NoSuchFileException
 import java.nio.file.Path
-import java.util.Locale
+import java.util.regex.PatternSyntaxException
 import kotlin.io.path.isDirectory
 import kotlin.io.path.isRegularFile
 
@@ -22,7 +23,7 @@ internal class BatchFiles(private val folder: Path, private val ending: String, 
         for (argument in arguments) {
             for ((base, file) in expand(argument)) {
                 if (file in files) continue
-                val output = folder.resolve(withoutEnding(base.relativize(file)) + ending)
+                val output = folder.resolve(DomainFileNames.withoutEnding(base.relativize(file).toString()) + ending)
                 outputs.put(output, file)?.let {
                     throw ParameterException(commandLine, "$it and $file would both be meshed to $output")
                 }
@@ -37,7 +38,7 @@ internal class BatchFiles(private val folder: Path, private val ending: String, 
     private fun expand(argument: String): List<Pair<Path, Path>> {
         val path = Path.of(argument)
         return when {
-            path.isDirectory() -> walk(path) { isDomain(it) }.map { path to it }
+            path.isDirectory() -> walk(path) { DomainFileNames.isDomain(it.fileName.toString()) }.map { path to it }
             Files.exists(path) -> listOf((path.parent ?: HERE) to path)
             argument.any { it in GLOB_SIGNS } -> matching(argument)
             else -> throw NoSuchFileException(argument)
@@ -49,27 +50,29 @@ internal class BatchFiles(private val folder: Path, private val ending: String, 
         val fixed = pattern.substring(0, pattern.lastIndexOf('/', start) + 1)
         val base = if (fixed.isEmpty()) HERE else Path.of(fixed)
         if (!base.isDirectory()) throw NoSuchFileException(base.toString())
-        val matcher = FileSystems.getDefault().getPathMatcher("glob:" + pattern.substring(fixed.length))
+        val matcher = try {
+            FileSystems.getDefault().getPathMatcher("glob:" + pattern.substring(fixed.length))
+        } catch (error: PatternSyntaxException) {
+            throw ParameterException(commandLine, "the pattern $pattern makes no sense: ${error.description}")
+        }
         val found = walk(base) { matcher.matches(base.relativize(it)) }
         if (found.isEmpty()) throw NoSuchFileException(pattern)
         return found.map { base to it }
     }
 
-    private fun walk(folder: Path, accepts: (Path) -> Boolean): List<Path> =
-        Files.walk(folder).use { files -> files.filter { it.isRegularFile() && accepts(it) }.sorted().toList() }
-
-    private fun isDomain(file: Path): Boolean = endingOf(file.fileName.toString())?.let { it !in GENERAL } ?: false
-
-    private fun withoutEnding(file: Path): String = file.toString().let { it.dropLast(endingOf(it)?.length ?: 0) }
-
-    private fun endingOf(name: String): String? =
-        MeshOutput.domainEndings().filter { name.lowercase(Locale.ROOT).endsWith(it) }.maxByOrNull { it.length }
+    /** Links to folders are not followed, but for the folder itself. */
+    private fun walk(folder: Path, accepts: (Path) -> Boolean): List<Path> {
+        val real = folder.toRealPath()
+        val found = try {
+            Files.walk(real).use { files -> files.filter { it.isRegularFile() }.toList() }
+        } catch (error: UncheckedIOException) {
+            throw error.cause ?: IOException(error)
+        }
+        return found.map { folder.resolve(real.relativize(it)) }.filter(accepts).sorted()
+    }
 
     private companion object {
         val HERE: Path = Path.of("")
         const val GLOB_SIGNS = "*?[{"
-
-        /** Files with these endings hold other things as often; a folder's are not taken, unless a pattern asks for them. */
-        val GENERAL = setOf(".json", ".csv", ".xy", ".dat")
     }
 }

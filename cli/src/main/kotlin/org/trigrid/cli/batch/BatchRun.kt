@@ -8,6 +8,7 @@ import org.trigrid.cli.Figures
 import org.trigrid.cli.MeshFigures
 import org.trigrid.cli.NumberedFiles
 import org.trigrid.cli.OrderedMesh
+import org.trigrid.cli.OutputPlace
 import org.trigrid.cli.ReportJson
 import org.trigrid.cli.RunClock
 import org.trigrid.cli.Session
@@ -17,7 +18,9 @@ import org.trigrid.project.DomainInput
 import org.trigrid.project.DomainInputs
 import org.trigrid.project.InputOptions
 import java.io.ByteArrayOutputStream
+import java.io.IOException
 import java.io.PrintStream
+import java.nio.file.FileSystemException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
@@ -32,8 +35,8 @@ internal class BatchPlan(
     /** Of the elements. */
     val order: Int,
     val jobs: Int,
-    /** Whether meshes that are newer than their input are left as they are. */
-    val resumes: Boolean,
+    /** What is left as it is. */
+    val made: MadeMeshes,
     /** The options of a domain, by those of its file. */
     val options: (MeshOptions) -> MeshOptions,
 )
@@ -46,6 +49,8 @@ internal class BatchRun(
     private val log: BatchLog,
 ) {
     private val progress = BatchProgress(session.terminal, files.size)
+    private val fingerprint = Fingerprint(plan.inputOptions, plan.format, plan.order)
+    private val inputs = files.map { OutputPlace.placeOf(it.input) }.toSet()
     private val codes = ConcurrentHashMap.newKeySet<Int>()
 
     /** @return the exit code: of the worst that happened, a defect before a bad file before a faulty domain. */
@@ -56,12 +61,14 @@ internal class BatchRun(
         try {
             for (file in files) {
                 if (session.cancellation.isRequested) break
+                // The digest first: a file that is changed meanwhile is then meshed again.
+                val digest = attempt(file, null, 1.0) { InputDigest.of(file.input) } ?: continue
                 val domains = attempt(file, null, 1.0) { DomainInputs.read(file.input, plan.inputOptions) } ?: continue
                 for (i in domains.indices) {
                     slots.acquire()
                     pool.execute {
                         try {
-                            mesh(file, domains, i)
+                            mesh(file, digest, domains, i)
                         } finally {
                             slots.release()
                         }
@@ -82,28 +89,34 @@ internal class BatchRun(
             Figures.seconds(progress.seconds)
     }
 
-    private fun mesh(file: BatchFile, domains: List<DomainInput>, index: Int) {
+    private fun mesh(file: BatchFile, digest: InputDigest, domains: List<DomainInput>, index: Int) {
         val share = 1.0 / domains.size
         if (session.cancellation.isRequested) return
         val given = domains[index]
         val output = NumberedFiles.name(file.output, index, domains.size)
-        if (plan.resumes && isThere(output, file.input)) return progress.skip(share)
+        val options = plan.options(given.options)
+        val made = fingerprint.of(digest, options)
+        if (plan.made.has(output, plan.format, made)) return progress.skip(share)
         val clock = RunClock()
         attempt(file, given.name, share) {
-            val options = plan.options(given.options)
+            checkNoInput(output)
             val result = MeshGenerator.generate(given.domain, options) { _, _ -> !session.cancellation.isRequested }
             val ordered = clock.ordering { OrderedMesh.of(result.mesh, plan.order, options.numbering, given::middles) }
             clock.writing {
                 output.toAbsolutePath().parent?.let { Files.createDirectories(it) }
                 ordered.write(output, plan.format)
             }
-            log.write(ReportJson.line(file.input, output, MeshFigures(given.name, result.report, clock, ordered.quadratic)))
+            val written = MadeMeshes.writtenAt(output, plan.format)
+            log.write(ReportJson.line(file.input, output, made, written, MeshFigures(given.name, result.report, clock, ordered.quadratic)))
             progress.done(share, result.mesh.elementCount)
         }
     }
 
-    private fun isThere(output: Path, input: Path): Boolean = plan.format.filesOf(output).all {
-        Files.exists(it) && Files.getLastModifiedTime(it) >= Files.getLastModifiedTime(input)
+    /** A format may share its endings with one of domains. */
+    private fun checkNoInput(output: Path) {
+        for (place in plan.format.filesOf(output)) {
+            if (OutputPlace.placeOf(place) in inputs) throw FileSystemException(place.toString(), null, "an input, which the mesh would take the place of")
+        }
     }
 
     /** Does [work]; what goes wrong is told and counted, and null returned. */
@@ -122,7 +135,11 @@ internal class BatchRun(
 
     private fun <T> failed(file: BatchFile, name: String?, share: Double, code: Int, lines: String): T? {
         codes.add(code)
-        log.write(ReportJson.failure(file.input, name, code, lines.lineSequence().first().removePrefix("${file.input}: ")))
+        try {
+            log.write(ReportJson.failure(file.input, name, code, lines.lineSequence().first().removePrefix("${file.input}: ")))
+        } catch (_: IOException) {
+            // A report that cannot be written is told for the first mesh that it should have had.
+        }
         progress.fail(share, lines)
         return null
     }

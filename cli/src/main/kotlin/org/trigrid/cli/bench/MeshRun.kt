@@ -12,11 +12,11 @@ import java.lang.management.ManagementFactory
 /** One run of the mesher with what it cost. */
 internal class MeshRun private constructor(
     val result: MeshResult,
-    /** CPU seconds of the thread that meshed. */
+    /** CPU seconds of the thread that meshed; seconds of the clock where several threads did. */
     val threadSeconds: Double,
     /** CPU seconds of the whole process meanwhile: with the collector and the compiler at their work. */
     val processSeconds: Double,
-    /** CPU seconds of the thread by stage. */
+    /** As [threadSeconds], by stage. */
     private val stageSeconds: DoubleArray,
 ) {
     val elements: Int get() = result.report.elementCount
@@ -24,10 +24,10 @@ internal class MeshRun private constructor(
     fun secondsOf(stage: Stage): Double = stageSeconds[stage.ordinal]
 
     /** Reads the thread's clock whenever the mesher goes on to another stage. */
-    private class StageMeter : ProgressMonitor {
+    private class StageMeter(private val nanos: () -> Long) : ProgressMonitor {
         val seconds = DoubleArray(Stage.entries.size)
         private var stage = Stage.CHECK
-        private var since = threadNanos()
+        private var since = nanos()
 
         override fun update(stage: Stage, fraction: Double): Boolean {
             if (stage != this.stage) close(stage)
@@ -35,7 +35,7 @@ internal class MeshRun private constructor(
         }
 
         fun close(next: Stage) {
-            val now = threadNanos()
+            val now = nanos()
             seconds[stage.ordinal] += (now - since) / 1e9
             stage = next
             since = now
@@ -45,17 +45,16 @@ internal class MeshRun private constructor(
     companion object {
         fun of(domain: Domain, options: MeshOptions): MeshRun {
             val processBefore = system.processCpuTime
-            val before = threadNanos()
-            val meter = StageMeter()
+            val nanos: () -> Long = if (options.threads > 1) System::nanoTime else threads::getCurrentThreadCpuTime
+            val before = nanos()
+            val meter = StageMeter(nanos)
             val result = MeshGenerator.generate(domain, options, meter)
             meter.close(Stage.RENUMBER)
-            val thread = (threadNanos() - before) / 1e9
+            val thread = (nanos() - before) / 1e9
             return MeshRun(result, thread, (system.processCpuTime - processBefore) / 1e9, meter.seconds)
         }
 
         private val system = ManagementFactory.getOperatingSystemMXBean() as OperatingSystemMXBean
         private val threads = ManagementFactory.getThreadMXBean()
-
-        private fun threadNanos(): Long = threads.currentThreadCpuTime
     }
 }

@@ -85,18 +85,55 @@ class BatchTest {
         assertArrayEquals(one, folder.resolve("two-2.msh").readBytes())
     }
 
+    /** The outlines are not written again. */
+    private fun resume(vararg more: String): Outcome =
+        Outcome.of("mesh", folder.resolve("outlines"), "--out-dir", meshes, "--report", report, "--resume", *more)
+
     @Test
-    fun `resuming leaves what is newer than its input, and adds to the report`() {
+    fun `resuming leaves what was made of the same, and adds to the report`() {
         run()
         val plate = meshes.resolve("plate.msh")
-        val old = FileTime.fromMillis(1_000_000)
-        Files.setLastModifiedTime(meshes.resolve("more/two-1.msh"), old)
+        Files.delete(meshes.resolve("more/two-1.msh"))
         val before = Files.getLastModifiedTime(plate)
-        // The outlines are not written again, which would make them newer.
-        val outcome = Outcome.of("mesh", folder.resolve("outlines"), "--out-dir", meshes, "--spacing", "0.2", "--report", report, "--resume")
+        val outcome = resume("--spacing", "0.2")
         assertTrue("1 meshes of 4 files" in outcome.out && "2 there already" in outcome.out, outcome.out)
         assertEquals(before, Files.getLastModifiedTime(plate))
         assertEquals(4, lines().count { text(it, "status") == "done" })
+        // A file that is only touched is the same; a limit does not change a mesh.
+        Files.setLastModifiedTime(folder.resolve("outlines/plate.wkt"), FileTime.fromMillis(System.currentTimeMillis() + 1_000_000))
+        assertTrue("3 there already" in resume("--spacing", "0.2", "--max-elements", "1000").out)
+    }
+
+    @Test
+    fun `resuming makes anew what other options or another input would make otherwise`() {
+        run()
+        for (options in listOf(arrayOf("--spacing", "0.1"), arrayOf("--spacing", "0.1", "--order", "2"), arrayOf("--spacing", "0.1", "--size-source", "0.05@0,0"))) {
+            val outcome = resume(*options)
+            assertTrue("3 meshes of 4 files" in outcome.out && "there already" !in outcome.out, outcome.out)
+            assertTrue("3 there already" in resume(*options).out)
+        }
+        val finer = meshes.resolve("plate.msh").readBytes()
+        // The report has that the coarse one was made too, but not last.
+        assertTrue("3 meshes of 4 files" in resume("--spacing", "0.2").out)
+        assertTrue(finer.size > meshes.resolve("plate.msh").readBytes().size)
+        Samples.file(folder.resolve("outlines"), "plate.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))")
+        assertTrue("1 meshes of 4 files" in resume("--spacing", "0.2").out)
+        // Written by something else meanwhile.
+        Files.setLastModifiedTime(meshes.resolve("plate.msh"), FileTime.fromMillis(1_000_000))
+        assertTrue("1 meshes of 4 files" in resume("--spacing", "0.2").out)
+    }
+
+    @Test
+    fun `resuming goes on from a report that was cut, and needs one`() {
+        run()
+        val text = report.readBytes()
+        Files.write(report, text.copyOf(text.size - 20))
+        resume("--spacing", "0.2")
+        assertTrue("3 there already" in resume("--spacing", "0.2").out)
+        val without = Outcome.of("mesh", folder.resolve("outlines"), "--out-dir", meshes, "--resume")
+        assertEquals(ExitCodes.USAGE, without.code)
+        assertTrue("--report" in without.err, without.err)
+        assertEquals(ExitCodes.USAGE, Outcome.of("mesh", folder.resolve("outlines"), "--out-dir", meshes, "--resume", "--report", "-").code)
     }
 
     @Test

@@ -3,12 +3,8 @@ package org.trigrid.editor.app
 import javafx.scene.control.Alert
 import javafx.scene.control.ButtonBar
 import javafx.scene.control.ButtonType
-import javafx.scene.control.Label
-import javafx.scene.control.TextField
-import javafx.scene.control.Dialog
-import javafx.scene.layout.GridPane
 import javafx.stage.Window
-import org.trigrid.editor.inspector.FieldNumbers
+import org.trigrid.editor.inspector.NumberQuestion
 
 /** Questions that stop the window until they are answered. */
 internal class Dialogs(private val owner: () -> Window?) {
@@ -38,6 +34,14 @@ internal class Dialogs(private val owner: () -> Window?) {
         return alert.showAndWait().orElse(discard) == recover
     }
 
+    /** Whether the file may be written over. */
+    fun askToReplace(name: String): Boolean {
+        val replace = ButtonType("Replace", ButtonBar.ButtonData.YES)
+        val alert = alert(Alert.AlertType.CONFIRMATION, "Replace “$name”?", "There is a file of this name. What it holds is lost if you replace it.")
+        alert.buttonTypes.setAll(replace, ButtonType.CANCEL)
+        return alert.showAndWait().orElse(ButtonType.CANCEL) == replace
+    }
+
     fun tell(heading: String, message: String) {
         alert(Alert.AlertType.ERROR, heading, message).show()
     }
@@ -46,34 +50,8 @@ internal class Dialogs(private val owner: () -> Window?) {
         alert(Alert.AlertType.INFORMATION, heading, message).show()
     }
 
-    /** Numbers typed into named fields; null if the dialog is cancelled. Fields that hold no number keep it from closing. */
-    fun askForNumbers(title: String, fields: List<Pair<String, String>>): List<Double>? {
-        val dialog = Dialog<List<Double>>()
-        dialog.title = title
-        dialog.headerText = title
-        dialog.initOwner(owner())
-        dialog.dialogPane.buttonTypes.setAll(ButtonType.OK, ButtonType.CANCEL)
-        val grid = GridPane()
-        grid.hgap = GAP
-        grid.vgap = GAP
-        val inputs = fields.mapIndexed { i, (label, value) ->
-            TextField(value).also { grid.addRow(i, Label(label), it) }
-        }
-        dialog.dialogPane.content = grid
-        val ok = dialog.dialogPane.lookupButton(ButtonType.OK)
-        val check = { ok.isDisable = inputs.any { number(it.text) == null } }
-        inputs.forEach { input -> input.textProperty().addListener { _, _, _ -> check() } }
-        check()
-        dialog.setOnShown { inputs.firstOrNull()?.requestFocus() }
-        dialog.setResultConverter { button -> if (button == ButtonType.OK) inputs.map { number(it.text)!! } else null }
-        return dialog.showAndWait().orElse(null)
-    }
-
-    private fun number(text: String): Double? = try {
-        FieldNumbers.any(text)
-    } catch (_: IllegalArgumentException) {
-        null
-    }
+    /** Numbers typed into named fields; null if the dialog is cancelled. */
+    fun askForNumbers(title: String, vararg questions: NumberQuestion): List<Double>? = NumberDialog(owner(), title, questions.toList()).ask()
 
     private fun alert(type: Alert.AlertType, heading: String, message: String): Alert {
         val alert = Alert(type, message)
@@ -81,9 +59,5 @@ internal class Dialogs(private val owner: () -> Window?) {
         alert.headerText = heading
         alert.title = "TriGrid"
         return alert
-    }
-
-    private companion object {
-        const val GAP = 10.0
     }
 }

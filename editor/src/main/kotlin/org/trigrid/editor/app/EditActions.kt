@@ -8,6 +8,7 @@ import org.trigrid.editor.command.ConnectOpenings
 import org.trigrid.editor.command.DeleteSelection
 import org.trigrid.editor.command.TransformSelection
 import org.trigrid.editor.document.Selection
+import org.trigrid.editor.inspector.NumberQuestion
 import org.trigrid.editor.session.Clip
 import org.trigrid.editor.session.EditorSession
 import org.trigrid.editor.tool.Figures
@@ -56,25 +57,26 @@ internal class EditActions(private val session: EditorSession, private val canva
 
     fun rotate() {
         val middle = middle() ?: return
-        val numbers = dialogs.askForNumbers("Rotate", listOf("Angle, degrees" to "90") + centre(middle)) ?: return
+        val numbers = dialogs.askForNumbers("Rotate", NumberQuestion("Angle, degrees", 90.0), *centre(middle)) ?: return
         session.execute(TransformSelection(Similarity.rotation(Point2(numbers[1], numbers[2]), numbers[0]), "rotate"))
     }
 
     fun scale() {
         val middle = middle() ?: return
-        val numbers = dialogs.askForNumbers("Scale", listOf("Factor" to "2") + centre(middle)) ?: return
-        if (numbers[0] <= 0) return session.say("The factor must be above 0", true)
+        val numbers = dialogs.askForNumbers("Scale", NumberQuestion.positive("Factor", 2.0), *centre(middle)) ?: return
         session.execute(TransformSelection(Similarity.scaling(Point2(numbers[1], numbers[2]), numbers[0]), "scale"))
     }
 
     fun array() {
         if (clip.isEmpty) return session.say("Pick shapes first, then repeat them", true)
+        val step = ARRAY_STEPS * Grid.stepFor(canvas.transform.pixel)
         val numbers = dialogs.askForNumbers(
             "Repeat in rows and columns",
-            listOf("Columns" to "3", "Rows" to "1", "Distance in x" to "2", "Distance in y" to "2"),
+            NumberQuestion.whole("Columns", 3, 1..MOST_COPIES), NumberQuestion.whole("Rows", 1, 1..MOST_COPIES),
+            NumberQuestion("Distance in x", step), NumberQuestion("Distance in y", step),
         ) ?: return
-        val columns = numbers[0].toInt().coerceIn(1, MOST_COPIES)
-        val rows = numbers[1].toInt().coerceIn(1, MOST_COPIES)
+        val columns = numbers[0].toInt()
+        val rows = numbers[1].toInt()
         val copies = (0 until rows * columns).drop(1)
             .map { clip.moved(Similarity.translation(it % columns * numbers[2], it / columns * numbers[3])) }
         session.execute(AddShapes(copies.flatMap { it.shapes }, copies.flatMap { it.loops }, "array"))
@@ -92,9 +94,11 @@ internal class EditActions(private val session: EditorSession, private val canva
     }
 
     fun findNode() {
-        val number = dialogs.askForNumbers("Find node", listOf("Number" to "0"))?.first()?.toInt() ?: return
         val nodes = session.document.nodes
-        if (number !in 0 until nodes.count) return session.say("There are nodes 0 to ${nodes.count - 1}", true)
+        if (nodes.count == 0) return session.say("There is no node yet", true)
+        val picked = session.selection.nodes.singleOrNull() ?: 0
+        val question = NumberQuestion.whole("Number", picked, 0 until nodes.count)
+        val number = dialogs.askForNumbers("Find node", question)?.first()?.toInt() ?: return
         session.selectTool()
         session.select(Selection.ofNode(number))
         canvas.lookAt(nodes.x(number), nodes.y(number))
@@ -118,7 +122,7 @@ internal class EditActions(private val session: EditorSession, private val canva
         return Similarity.translation(step, -step)
     }
 
-    private fun centre(middle: Point2) = listOf("About x" to Figures.length(middle.x), "About y" to Figures.length(middle.y))
+    private fun centre(middle: Point2) = arrayOf(NumberQuestion("About x", middle.x), NumberQuestion("About y", middle.y))
 
     /** Middle of the nodes of what is picked. */
     private fun middle(): Point2? {
@@ -142,5 +146,8 @@ internal class EditActions(private val session: EditorSession, private val canva
 
     private companion object {
         const val MOST_COPIES = 200
+
+        /** Steps of the grid between copies, at first. */
+        const val ARRAY_STEPS = 2
     }
 }

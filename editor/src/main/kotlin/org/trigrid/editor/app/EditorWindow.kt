@@ -28,6 +28,7 @@ import org.trigrid.editor.command.AddShapes
 import org.trigrid.editor.files.Autosave
 import org.trigrid.editor.files.DocumentFile
 import org.trigrid.editor.files.Gallery
+import org.trigrid.editor.files.OptionMemory
 import org.trigrid.editor.files.Preferences
 import org.trigrid.editor.inspector.FieldsView
 import org.trigrid.editor.inspector.InspectorView
@@ -46,7 +47,8 @@ internal class EditorWindow(
     val session = EditorSession(worker, Platform::runLater)
     val canvas = DrawingCanvas(session)
     private val dialogs = Dialogs { stage }
-    val files = FileActions(session, preferences, Autosave(Preferences.folder()), dialogs, worker) { stage }
+    private val meshOptions = OptionMemory(preferences)
+    val files = FileActions(session, preferences, Autosave(Preferences.folder()), meshOptions, dialogs, worker) { stage }
     private val edit = EditActions(session, canvas, dialogs)
     private val picture = PictureActions(session, canvas, dialogs)
     val export = ExportActions(session, files, canvas) { stage }
@@ -64,12 +66,14 @@ internal class EditorWindow(
     private val welcome = WelcomeView(
         preferences, worker, Platform::runLater, { theme }, files::open, ::openCase, files::open, ::startDrawing,
     )
-    private val film = FrontBar(session)
+    private val film = FrontBar(session) { canvas.requestFocus() }
     private val centre = StackPane(canvas, film, welcome)
 
     init {
         root.top = VBox(menus.bar(), toolBar())
         root.left = ToolPalette(session)
+        // Whatever lies on the sheet must not make the window's parts wider than the window.
+        centre.setMinSize(0.0, 0.0)
         root.center = BorderPane(centre)
         root.right = side()
         root.bottom = status
@@ -146,7 +150,9 @@ internal class EditorWindow(
         } catch (error: IllegalArgumentException) {
             return error.message
         }
-        return if (session.execute(command)) null else session.message
+        if (!session.execute(command)) return session.message
+        meshOptions.remember(session.document.project.options)
+        return null
     }
 
     private fun changed(change: Change) {
@@ -170,7 +176,8 @@ internal class EditorWindow(
                 if (session.tool !is SelectTool) welcome.isVisible = false
                 canvas.requestFocus()
             }
-            Change.PREVIEW, Change.PROBLEMS, Change.PROGRESS, Change.MESSAGE, Change.PLAYBACK -> Unit
+            Change.PLAYBACK -> if (session.playback?.position == 0) canvas.requestFocus()
+            Change.PREVIEW, Change.PROBLEMS, Change.PROGRESS, Change.MESSAGE -> Unit
         }
     }
 
@@ -298,6 +305,8 @@ internal class EditorWindow(
         if (!stage.isMaximized && stage.isShowing) {
             preferences["width"] = stage.scene.width.toString()
             preferences["height"] = stage.scene.height.toString()
+            preferences["x"] = stage.x.toString()
+            preferences["y"] = stage.y.toString()
         }
         preferences["maximized"] = stage.isMaximized.toString()
         preferences["live"] = session.isLive.toString()
@@ -309,6 +318,17 @@ internal class EditorWindow(
         preferences["view.grid"] = view.showGrid.toString()
         preferences["view.colouring"] = view.colouring.name
         preferences["snap.grid"] = session.snapping.toGrid.toString()
+        preferences["snap.nodes"] = session.snapping.toNodes.toString()
+        preferences["snap.shapes"] = session.snapping.toShapes.toString()
+    }
+
+    /** Where the window was, if it can be seen there. */
+    private fun restorePlace() {
+        val x = preferences.number("x") ?: return
+        val y = preferences.number("y") ?: return
+        if (Screen.getScreensForRectangle(x, y, SEEN, SEEN).isEmpty()) return
+        stage.x = x
+        stage.y = y
     }
 
     private fun restore() {
@@ -319,6 +339,9 @@ internal class EditorWindow(
                 ?: org.trigrid.editor.meshing.Colouring.NONE,
         )
         session.snapping = session.snapping.withGrid(preferences.flag("snap.grid", true))
+            .withNodes(preferences.flag("snap.nodes", true)).withShapes(preferences.flag("snap.shapes", true))
+        session.open(files.empty(), null)
+        restorePlace()
         session.isLive = preferences.flag("live", false)
         stage.isMaximized = preferences.flag("maximized", false)
         val chosen = Theme.of(preferences["theme"].orEmpty())
@@ -330,9 +353,12 @@ internal class EditorWindow(
     companion object {
         private const val WIDTH = 1280.0
         private const val HEIGHT = 820.0
-        private const val LEAST_WIDTH = 760.0
-        private const val LEAST_HEIGHT = 520.0
+        private const val LEAST_WIDTH = 900.0
+        private const val LEAST_HEIGHT = 560.0
         private const val FILM_MARGIN = 14.0
+
+        /** Pixels of the window's corner that must be on a screen. */
+        private const val SEEN = 60.0
         private val PICTURES = listOf(".png", ".jpg", ".jpeg", ".gif", ".bmp")
 
         val stylesheet: String = EditorWindow::class.java.getResource("editor.css")!!.toExternalForm()

@@ -30,12 +30,9 @@ internal class ExportActions(
         val chosen = chooser.showSaveDialog(window())?.toPath() ?: return
         // The chosen kind counts; an ending typed that belongs to another kind counts more.
         val picked = formats.getOrElse(filters.indexOf(chooser.selectedExtensionFilter)) { formats.first() }
-        if (picked.fits(chosen)) writeMesh(chosen, picked) else writeTyped(chosen, picked)
-    }
-
-    private fun writeTyped(file: Path, picked: MeshFormat) {
-        val typed = MeshFormats.forWriting(file)
-        if (typed != null) writeMesh(file, typed) else writeMesh(ended(file, picked.endings.first()), picked)
+        val format = if (picked.fits(chosen)) picked else MeshFormats.forWriting(chosen) ?: picked
+        val file = if (format.fits(chosen)) chosen else ended(chosen, format.endings.first())
+        if (files.mayWrite(chosen, file)) writeMesh(file, format)
     }
 
     /** @return whether it was written, as of all below. */
@@ -75,7 +72,7 @@ internal class ExportActions(
         val chooser = files.chooser(title)
         chooser.extensionFilters.add(FileChooser.ExtensionFilter(kind, "*$ending"))
         chooser.initialFileName = baseName() + ending
-        return chooser.showSaveDialog(window())?.toPath()?.let { ended(it, ending) }
+        return chooser.showSaveDialog(window())?.toPath()?.let { chosen -> ended(chosen, ending).takeIf { files.mayWrite(chosen, it) } }
     }
 
     private fun export(file: Path, write: (Path) -> Unit): Boolean {
@@ -85,7 +82,7 @@ internal class ExportActions(
     }
 
     private fun ended(file: Path, ending: String): Path =
-        if (file.fileName.toString().endsWith(ending)) file else file.resolveSibling(file.fileName.toString() + ending)
+        if (file.fileName.toString().endsWith(ending, ignoreCase = true)) file else file.resolveSibling(file.fileName.toString() + ending)
 
     private fun baseName(): String = session.title.substringBefore('.').ifEmpty { "mesh" }
 

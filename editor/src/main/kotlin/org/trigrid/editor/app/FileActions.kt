@@ -8,6 +8,7 @@ import org.trigrid.diagnostics.TriGridException
 import org.trigrid.editor.document.EditorDocument
 import org.trigrid.editor.files.Autosave
 import org.trigrid.editor.files.DocumentFile
+import org.trigrid.editor.files.OptionMemory
 import org.trigrid.editor.files.Preferences
 import org.trigrid.editor.session.Change
 import org.trigrid.editor.session.EditorSession
@@ -21,6 +22,7 @@ internal class FileActions(
     private val session: EditorSession,
     private val preferences: Preferences,
     private val autosave: Autosave,
+    private val options: OptionMemory,
     private val dialogs: Dialogs,
     private val worker: Executor,
     private val window: () -> Window?,
@@ -37,9 +39,12 @@ internal class FileActions(
 
     fun new() {
         if (!mayLeave()) return
-        session.open(EditorDocument.EMPTY, null)
+        session.open(empty(), null)
         opened()
     }
+
+    /** A drawing to begin with, to be meshed as people wanted the last ones to be. */
+    fun empty(): EditorDocument = EditorDocument.EMPTY.with { options(options.options()) }
 
     fun open() {
         if (!mayLeave()) return
@@ -64,16 +69,19 @@ internal class FileActions(
             session.recover(recovered, file)
         } else {
             autosave.discard(file)
-            if (read.isProject) session.open(read.document, file) else session.open(read.document, null, file.fileName.toString())
+            if (read.isProject) session.open(read.document, file) else openLoops(read.document, file)
         }
         preferences["folder"] = file.toAbsolutePath().parent?.toString()
         preferences.remember(file)
         opened()
     }
 
+    private fun openLoops(loops: EditorDocument, file: Path) =
+        session.open(loops.with { options(options.options()) }, null, file.fileName.toString())
+
     /** Offers what a crash left of a drawing without a file. @return whether it is shown. */
     fun offerRecovery(): Boolean {
-        val recovered = autosave.recovered(null)?.takeIf { !it.isEmpty } ?: return false
+        val recovered = autosave.adoptUntitled()?.takeIf { !it.isEmpty } ?: return false
         if (!dialogs.askToRecover(EditorSession.UNTITLED)) {
             autosave.discard(null)
             return false
@@ -94,8 +102,12 @@ internal class FileActions(
         chooser.extensionFilters.add(FileChooser.ExtensionFilter("TriGrid project", "*${DocumentFile.ENDING}"))
         chooser.initialFileName = session.file?.fileName?.toString() ?: DocumentFile.projectName(Path.of(session.title))
         val chosen = chooser.showSaveDialog(window())?.toPath() ?: return false
-        return write(DocumentFile.withEnding(chosen))
+        val file = DocumentFile.withEnding(chosen)
+        return mayWrite(chosen, file) && write(file)
     }
+
+    /** Whether [file] may be written where the chooser, which asks about what is there already, was told [chosen]. */
+    fun mayWrite(chosen: Path, file: Path): Boolean = file == chosen || !file.exists() || dialogs.askToReplace(file.fileName.toString())
 
     /** Whether the document may be left: it is saved, or people do not want it. */
     fun mayLeave(): Boolean {
@@ -148,9 +160,10 @@ internal class FileActions(
         if (!session.isModified) return
         val document = session.document
         val file = session.file
+        val ticket = autosave.ticket
         worker.execute {
             try {
-                autosave.write(file, document)
+                autosave.write(file, document, ticket)
             } catch (_: IOException) {
                 // The next change tries again; saving by hand tells what is wrong.
             }
@@ -158,7 +171,7 @@ internal class FileActions(
     }
 
     private fun reason(error: IOException): String = when (error) {
-        is java.nio.file.NoSuchFileException -> "There is no such file."
+        is java.nio.file.NoSuchFileException -> "There is no such file or folder."
         is java.nio.file.AccessDeniedException -> "Access was denied. Choose another folder, or change the rights of this one."
         else -> error.message ?: error.toString()
     }

@@ -13,7 +13,7 @@ import org.trigrid.editor.session.Change
 import org.trigrid.editor.session.EditorSession
 
 /** The buttons under the film of the front: step, play, speed, stop. */
-internal class FrontBar(private val session: EditorSession) : HBox() {
+internal class FrontBar(private val session: EditorSession, toCanvas: () -> Unit) : HBox() {
     private val slider = Slider()
     private val words = Label()
     private val speed = ChoiceBox<String>()
@@ -50,7 +50,13 @@ internal class FrontBar(private val session: EditorSession) : HBox() {
         speed.valueProperty().addListener { _, _, label ->
             if (!isUpdating) session.withPlayback { it.speed = FrontPlayback.Speed.entries.first { s -> s.label == label } }
         }
-        words.minWidth = WORDS_WIDTH
+        // So that Space and the arrows go on to play the film.
+        speed.setOnHidden { toCanvas() }
+        speed.minWidth = SPEED_WIDTH
+        speed.prefWidth = SPEED_WIDTH
+        slider.minWidth = LEAST_WIDTH
+        words.minWidth = LEAST_WIDTH
+        words.prefWidth = WORDS_WIDTH
         children.addAll(
             button(Icons.FIRST, "Begin  (Home)", "front-first") { session.withPlayback { it.goTo(0) } },
             button(Icons.STEP_BACK, "One element back  (Left)", "front-back") { session.withPlayback { it.step(-1) } },
@@ -101,5 +107,7 @@ internal class FrontBar(private val session: EditorSession) : HBox() {
         const val NANOS = 1e9
         const val SLIDER_WIDTH = 180.0
         const val WORDS_WIDTH = 300.0
+        const val SPEED_WIDTH = 118.0
+        const val LEAST_WIDTH = 60.0
     }
 }

@@ -24,8 +24,7 @@ internal class KeyInput(
 
     fun listenTo(scene: Scene) {
         scene.addEventFilter(KeyEvent.KEY_PRESSED) { event ->
-            val isTyping = scene.focusOwner is TextInputControl
-            if (!isTyping && isDrawing(scene) && pressed(event)) event.consume()
+            if (isForDrawing(scene, event.code) && pressed(event)) event.consume()
         }
         scene.addEventFilter(KeyEvent.KEY_RELEASED) { event ->
             if (event.code == KeyCode.SPACE) canvas.isPanning = false
@@ -46,8 +45,12 @@ internal class KeyInput(
         }
     }
 
-    /** Lists, buttons and tabs keep their keys. */
-    private fun isDrawing(scene: Scene): Boolean = scene.focusOwner == null || scene.focusOwner === canvas
+    /** Fields keep all keys; lists, buttons and tabs those that they know. */
+    private fun isForDrawing(scene: Scene, code: KeyCode): Boolean = when (scene.focusOwner) {
+        null, canvas -> true
+        is TextInputControl -> false
+        else -> !code.isNavigationKey && code != KeyCode.ENTER && code != KeyCode.SPACE
+    }
 
     private fun pressed(event: KeyEvent): Boolean {
         if (event.isShortcutDown || event.isMetaDown) return false

@@ -2,6 +2,7 @@ package org.trigrid.editor.app
 
 import javafx.scene.Scene
 import javafx.scene.image.ImageView
+import javafx.scene.input.KeyCode
 import javafx.scene.layout.StackPane
 import javafx.stage.Stage
 import javafx.stage.Window
@@ -25,6 +26,7 @@ internal class MatrixWindow(owner: Window?, view: MeshView, before: TriMesh) {
         stage.title = "Matrix structure"
         stage.initOwner(owner)
         stage.scene = Scene(frame, WIDTH, HEIGHT)
+        stage.scene.setOnKeyPressed { if (it.code == KeyCode.ESCAPE) stage.close() }
     }
 
     private companion object {

@@ -2,8 +2,8 @@ package org.trigrid.editor.app
 
 import org.trigrid.editor.canvas.DrawingCanvas
 import org.trigrid.editor.command.ProjectCommands
+import org.trigrid.editor.inspector.NumberQuestion
 import org.trigrid.editor.session.EditorSession
-import org.trigrid.editor.tool.Figures
 import org.trigrid.editor.tool.TwoPointTool
 import org.trigrid.geometry.Point2
 import org.trigrid.project.Background
@@ -29,10 +29,9 @@ internal class PictureActions(private val session: EditorSession, private val ca
     fun scale() {
         if (free() == null) return
         twoPoints("Scale picture", "Click a point of the picture", "Click another one whose distance you know") { a, b ->
-            val distance = dialogs.askForNumbers("Distance of the two points", listOf("Distance" to Figures.length(a.distanceTo(b))))?.first()
+            val distance = dialogs.askForNumbers("Distance of the two points", NumberQuestion.positive("Distance", a.distanceTo(b)))?.first()
             val picture = session.document.picture
             if (distance == null || picture == null) return@twoPoints
-            if (distance <= 0) return@twoPoints session.say("The distance must be above 0", true)
             change("scale picture", picture.scaled(a, distance / a.distanceTo(b)))
         }
     }
@@ -50,7 +49,7 @@ internal class PictureActions(private val session: EditorSession, private val ca
         if (free() == null) return
         twoPoints("Rotate picture", "Click a point of the picture that stays", "Click another one whose direction you know") { a, b ->
             val now = Math.toDegrees(StrictMath.atan2(b.y - a.y, b.x - a.x))
-            val wanted = dialogs.askForNumbers("Direction of the line", listOf("Angle, degrees" to Figures.plain(now, DIGITS)))?.first()
+            val wanted = dialogs.askForNumbers("Direction of the line", NumberQuestion("Angle, degrees", now))?.first()
             val picture = session.document.picture
             if (wanted != null && picture != null) change("rotate picture", picture.rotated(a, wanted - now))
         }
@@ -95,7 +94,6 @@ internal class PictureActions(private val session: EditorSession, private val ca
     }
 
     private companion object {
-        const val DIGITS = 6
         const val LEAST_OPACITY = 0.05
     }
 }

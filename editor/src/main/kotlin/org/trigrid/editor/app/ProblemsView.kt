@@ -19,11 +19,12 @@ import org.trigrid.editor.session.EditorSession
 internal class ProblemsView(private val session: EditorSession, private val canvas: DrawingCanvas, close: () -> Unit) : BorderPane() {
     private val list = ListView<Problem>()
     private val heading = Label()
+    private val empty = Label()
 
     init {
         styleClass.add("problems")
         list.id = "problem-list"
-        list.placeholder = Label("No faults: the domain can be meshed.")
+        list.placeholder = empty
         list.setCellFactory { ProblemCell() }
         list.setOnMouseClicked { go() }
         list.setOnKeyPressed { if (it.code == KeyCode.ENTER) go() }
@@ -44,6 +45,7 @@ internal class ProblemsView(private val session: EditorSession, private val canv
 
     private fun refresh() {
         list.items.setAll(session.problems)
+        empty.text = if (session.document.isEmpty) "Nothing is drawn yet." else "No faults: the domain can be meshed."
         heading.text = "Problems (${session.problems.size})"
     }
 

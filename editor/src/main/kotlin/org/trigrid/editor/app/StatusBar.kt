@@ -15,16 +15,19 @@ import org.trigrid.editor.session.Change
 import org.trigrid.editor.session.EditorSession
 import org.trigrid.editor.tool.CoordinateEntry
 import org.trigrid.editor.tool.Figures
+import org.trigrid.geometry.Point2
 
 /** The foot of the window: what to do next, where the mouse is, how the mesh stands; places are typed here. */
 internal class StatusBar(private val session: EditorSession, private val showProblems: () -> Unit, private val toCanvas: () -> Unit) : HBox() {
     private val hint = Label()
     private val place = Label()
+    private val measure = Label()
     private val figures = Label()
     private val problems = Button()
     private val progress = ProgressBar()
     private val progressWords = Label()
     private val cancel = Button()
+    private var pointer: Point2? = null
     val entry = TextField()
 
     init {
@@ -32,6 +35,7 @@ internal class StatusBar(private val session: EditorSession, private val showPro
         hint.styleClass.add("status-hint")
         hint.minWidth = 40.0
         place.styleClass.add("status-place")
+        measure.id = "status-measure"
         problems.styleClass.addAll("status-problems", "flat")
         problems.isFocusTraversable = false
         problems.setOnAction { showProblems() }
@@ -43,6 +47,7 @@ internal class StatusBar(private val session: EditorSession, private val showPro
         entry.id = "coordinate-entry"
         entry.promptText = "3,4   @1,0   @2<30"
         entry.prefColumnCount = 13
+        entry.minWidth = ENTRY_WIDTH
         entry.styleClass.add("coordinate-entry")
         entry.tooltip = Tooltip("Type a place at any moment, Tab goes to its second number: 3,4 as it stands, @1,0 from the last point, @2<30 by length and angle")
         entry.setOnAction { submit() }
@@ -62,8 +67,11 @@ internal class StatusBar(private val session: EditorSession, private val showPro
         entry.textProperty().addListener { _, _, _ -> entry.styleClass.remove("entry-fault") }
         val spring = Region()
         setHgrow(spring, Priority.ALWAYS)
-        for (fixed in listOf(place, figures, problems, progressWords, cancel)) fixed.minWidth = Region.USE_PREF_SIZE
-        children.addAll(hint, spring, progressWords, progress, cancel, problems, figures, place, entry)
+        for (fixed in listOf(place, problems, progressWords, cancel)) fixed.minWidth = Region.USE_PREF_SIZE
+        // In a narrow window these give way, so that the rest is not pushed off.
+        for (yielding in listOf(measure, figures)) yielding.minWidth = 0.0
+        minWidth = 0.0
+        children.addAll(hint, spring, progressWords, progress, cancel, problems, figures, measure, place, entry)
         session.listen(::changed)
         refreshAll()
     }
@@ -76,11 +84,22 @@ internal class StatusBar(private val session: EditorSession, private val showPro
     }
 
     fun pointed(x: Double, y: Double, element: Int) {
-        place.text = "x ${Figures.plain(x, 5)}   y ${Figures.plain(y, 5)}"
+        pointer = Point2(x, y)
+        refreshPlace()
         val mesh = session.mesh
         if (element < 0 || mesh == null) return refreshFigures()
         figures.text = "element $element: quality ${Figures.plain(mesh.figures.quality(element), 3)}, " +
             "min angle ${Figures.angle(mesh.figures.minAngle(element))}, size ${Figures.plain(mesh.size(element), 3)}"
+    }
+
+    /** Where a click would go: the place that the mouse is drawn to, or its own. */
+    private fun refreshPlace() {
+        val preview = session.tool.preview
+        measure.text = preview.measure
+        measure.isVisible = preview.measure.isNotEmpty()
+        measure.isManaged = measure.isVisible
+        val at = preview.snap?.point ?: pointer ?: return
+        place.text = "x ${Figures.plain(at.x, DIGITS)}   y ${Figures.plain(at.y, DIGITS)}"
     }
 
     private fun submit() {
@@ -98,7 +117,11 @@ internal class StatusBar(private val session: EditorSession, private val showPro
 
     private fun changed(change: Change) {
         when (change) {
-            Change.PREVIEW, Change.TOOL, Change.MESSAGE, Change.SELECTION -> refreshHint()
+            Change.PREVIEW, Change.TOOL -> {
+                refreshHint()
+                refreshPlace()
+            }
+            Change.MESSAGE, Change.SELECTION -> refreshHint()
             Change.MESH, Change.VIEW -> refreshFigures()
             Change.PROBLEMS, Change.DOCUMENT -> refreshProblems()
             Change.PROGRESS -> refreshProgress()
@@ -108,6 +131,7 @@ internal class StatusBar(private val session: EditorSession, private val showPro
 
     private fun refreshAll() {
         refreshHint()
+        refreshPlace()
         refreshFigures()
         refreshProblems()
         refreshProgress()
@@ -166,5 +190,7 @@ internal class StatusBar(private val session: EditorSession, private val showPro
 
     private companion object {
         const val PROGRESS_WIDTH = 120.0
+        const val DIGITS = 5
+        const val ENTRY_WIDTH = 110.0
     }
 }

@@ -1,34 +1,37 @@
 package org.trigrid.editor.app
 
+import javafx.geometry.Orientation
 import javafx.scene.control.Separator
 import javafx.scene.control.ToggleButton
 import javafx.scene.control.Tooltip
-import javafx.scene.layout.VBox
+import javafx.scene.layout.FlowPane
 import org.trigrid.editor.session.Change
 import org.trigrid.editor.session.EditorSession
 import org.trigrid.editor.tool.SelectTool
 import org.trigrid.editor.tool.ShapeKind
 import org.trigrid.editor.tool.ShapeTool
 
-/** The tools down the left side of the window. */
-internal class ToolPalette(private val session: EditorSession) : VBox() {
+/** The tools down the left side of the window, in a second column where it is low. */
+internal class ToolPalette(private val session: EditorSession) : FlowPane(Orientation.VERTICAL) {
     private val kinds = LinkedHashMap<ShapeKind, ToggleButton>()
     private val select = toggle("Select and move", "V", Icons.SELECT) { session.selectTool() }
     private val lasso = toggle("Pick nodes with a lasso", "Shift+V", Icons.LASSO) { session.selectTool(true) }
 
     init {
         styleClass.add("tool-palette")
-        children.addAll(select, lasso, Separator())
+        children.addAll(select, lasso, rule())
         for (kind in ShapeKind.entries) {
             val button = toggle(kind.label, kind.key, iconOf(kind)) { session.draw(kind) }
             button.id = "tool-" + kind.name.lowercase().replace('_', '-')
             kinds[kind] = button
-            if (kind == ShapeKind.RECTANGLE || kind == ShapeKind.CONNECTOR) children.add(Separator())
+            if (kind == ShapeKind.RECTANGLE || kind == ShapeKind.CONNECTOR) children.add(rule())
             children.add(button)
         }
         session.listen { if (it == Change.TOOL) refresh() }
         refresh()
     }
+
+    private fun rule() = Separator().apply { prefWidth = RULE }
 
     private fun toggle(label: String, key: String, icon: Icons, run: () -> Unit): ToggleButton {
         val button = ToggleButton()
@@ -62,5 +65,9 @@ internal class ToolPalette(private val session: EditorSession) : VBox() {
         ShapeKind.CIRCLE -> Icons.CIRCLE
         ShapeKind.ELLIPSE -> Icons.ELLIPSE
         ShapeKind.CONNECTOR -> Icons.CONNECTOR
+    }
+
+    private companion object {
+        const val RULE = 38.0
     }
 }

@@ -3,6 +3,7 @@ package org.trigrid.editor.app
 import javafx.scene.control.Button
 import javafx.scene.control.Hyperlink
 import javafx.scene.control.Label
+import javafx.scene.control.ScrollPane
 import javafx.scene.control.Tooltip
 import javafx.scene.image.ImageView
 import javafx.scene.image.PixelFormat
@@ -35,7 +36,7 @@ internal class WelcomeView(
     private val openCase: (Gallery) -> Unit,
     private val chooseFile: () -> Unit,
     private val draw: () -> Unit,
-) : VBox() {
+) : ScrollPane() {
     private val recent = VBox()
     private val gallery = FlowPane()
 
@@ -43,6 +44,8 @@ internal class WelcomeView(
         styleClass.add("welcome")
         maxWidth = WIDTH
         maxHeight = Region.USE_PREF_SIZE
+        isFitToWidth = true
+        hbarPolicy = ScrollBarPolicy.NEVER
         val title = Label("TriGrid").apply { styleClass.add("welcome-title") }
         val words = Label("Draw a domain, or open one; then press Mesh.").apply { styleClass.add("inspector-note") }
         val start = Button("Start drawing").apply {
@@ -53,8 +56,11 @@ internal class WelcomeView(
         val open = Button("Open a file…").apply { setOnAction { chooseFile() } }
         gallery.styleClass.add("welcome-gallery")
         gallery.prefWrapLength = WIDTH - PADDING
+        gallery.minWidth = 0.0
         recent.spacing = 2.0
-        children.addAll(title, words, HBox(start, open).apply { spacing = 10.0 }, recent, heading("The paper's cases"), gallery)
+        val all = VBox(title, words, HBox(start, open).apply { spacing = 10.0 }, recent, heading("The paper's cases"), gallery)
+        all.styleClass.add("welcome-content")
+        content = all
         refresh()
     }
 

@@ -40,6 +40,7 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
     private var isFitted = true
     private var fittedWidth = 0.0
     private var fittedHeight = 0.0
+    private var hasFilm = false
 
     /** Hears where the mouse is, in the domain's coordinates, and over which element, or -1. */
     var pointed: (Double, Double, Int) -> Unit = { _, _, _ -> }
@@ -134,10 +135,11 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
         fittedHeight = height
     }
 
-    /** Shows a part, clear of the legend. */
+    /** Shows a part, clear of the legend and of the buttons of the film. */
     fun fit(box: Box) {
         val hasLegend = session.mesh != null && session.view.colouring != Colouring.NONE
-        val room = if (hasLegend) OverlayPainter.LEGEND_ROOM else 0.0
+        hasFilm = session.playback != null
+        val room = if (hasFilm || hasLegend) OverlayPainter.LEGEND_ROOM else 0.0
         transform = ViewTransform.fit(box, width, height - room, FIT_MARGIN)
     }
 
@@ -263,6 +265,7 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
             Change.FILE -> emphasised = null
             Change.MESH -> markedElements = emptyList()
             Change.TOOL -> cursor = toolCursor()
+            Change.PLAYBACK -> if (isFitted && hasFilm != (session.playback != null)) fit()
             Change.PROBLEMS -> if (emphasised !in session.problems) emphasised = null
             Change.MESSAGE, Change.PROGRESS -> return
             else -> Unit
@@ -319,7 +322,7 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
         val overlay = OverlayPainter(g, transform, width, height, colours)
         val mesh = session.mesh.takeIf { settings.showMesh }
         if (mesh != null) {
-            MeshNumbers(g, transform, width, height, colours).draw(mesh, settings)
+            meshLayer.index(mesh)?.let { MeshNumbers(g, transform, width, height, colours).draw(it, settings) }
             overlay.elements(mesh, markedElements)
         }
         val only = session.selection.onlyShape

@@ -15,30 +15,34 @@ internal class MeshNumbers(
     private val height: Double,
     private val colours: CanvasColours,
 ) {
-    fun draw(mesh: MeshView, settings: ViewSettings) {
+    fun draw(index: MeshRaster, settings: ViewSettings) {
+        val mesh = index.view
         if (!settings.showNumbers || mesh.sizes[1] * view.scale < ELEMENT_ROOM) return
         g.font = Font.font(10.0)
         g.textAlign = TextAlignment.CENTER
         g.textBaseline = VPos.CENTER
+        val elements = ArrayList<Int>()
+        index.forEachVisible(view, width, height) { if (mesh.size(it) * view.scale >= ELEMENT_ROOM) elements.add(it) }
         var left = MOST
-        for (element in 0 until mesh.mesh.elementCount) {
-            val x = view.screenX((0..2).sumOf { mesh.mesh.x(mesh.mesh.nodeOf(element, it)) } / 3)
-            val y = view.screenY((0..2).sumOf { mesh.mesh.y(mesh.mesh.nodeOf(element, it)) } / 3)
+        for (element in elements) {
+            val x = view.screenX(corners(mesh, element) { mesh.mesh.x(it) })
+            val y = view.screenY(corners(mesh, element) { mesh.mesh.y(it) })
             if (x < 0 || y < 0 || x > width || y > height) continue
-            if (mesh.size(element) * view.scale < ELEMENT_ROOM) continue
             if (left-- == 0) break
             NumberText.draw(g, element.toString(), x, y, colours.text, colours.sheet)
         }
-        nodes(mesh)
+        nodes(mesh, elements)
         g.textAlign = TextAlignment.LEFT
         g.textBaseline = VPos.BASELINE
     }
 
     /** Numbers of the mesh's nodes, below them; those of the drawing stand above. */
-    private fun nodes(mesh: MeshView) {
+    private fun nodes(mesh: MeshView, elements: List<Int>) {
         if (mesh.sizes[1] * view.scale < NODE_ROOM) return
+        val nodes = LinkedHashSet<Int>()
+        for (element in elements) for (corner in 0..2) nodes.add(mesh.mesh.nodeOf(element, corner))
         var left = MOST
-        for (node in 0 until mesh.mesh.nodeCount) {
+        for (node in nodes) {
             val x = view.screenX(mesh.mesh.x(node))
             val y = view.screenY(mesh.mesh.y(node))
             if (x < 0 || y < 0 || x > width || y > height) continue
@@ -47,6 +51,10 @@ internal class MeshNumbers(
             NumberText.draw(g, node.toString(), x, y + NODE_SHIFT, colours.accent, colours.sheet)
         }
     }
+
+    /** The mean of what the corners of an element have. */
+    private inline fun corners(mesh: MeshView, element: Int, of: (Int) -> Double): Double =
+        (of(mesh.mesh.nodeOf(element, 0)) + of(mesh.mesh.nodeOf(element, 1)) + of(mesh.mesh.nodeOf(element, 2))) / 3
 
     private companion object {
         /** Longest edge, in pixels, of an element that has room for its number. */

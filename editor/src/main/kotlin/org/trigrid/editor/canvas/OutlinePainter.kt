@@ -20,7 +20,7 @@ internal class OutlinePainter(
     private val selection: Selection,
 ) {
     private val nodes = document.nodes
-    private val groups = document.groups()
+    private val groups = document.groups
     private val onConnectors: Set<Int> = document.onConnectorsOnly
 
     fun segments() {

@@ -2,50 +2,91 @@ package org.trigrid.editor.canvas
 
 /**
  * A picture of pixels 0xAARRGGBB, colours multiplied by their opacity, with lines and triangles. Coordinates in pixels,
- * x to the right and y down; what lies outside is cut off. Colours are opaque but for the strength that a line is given.
+ * x to the right and y down; what lies outside the clip is cut off. Colours are opaque but for the strength that a line is
+ * given.
  */
 internal class PixelRaster(val width: Int, val height: Int) {
     val pixels: IntArray = IntArray(width * height)
+
+    /** The clip: pixels from [left] until [right] and from [top] until [bottom]; at first all. */
+    var left: Int = 0
+        private set
+    var top: Int = 0
+        private set
+    var right: Int = width
+        private set
+    var bottom: Int = height
+        private set
+
+    fun clip(left: Int, top: Int, right: Int, bottom: Int) {
+        this.left = left.coerceIn(0, width)
+        this.top = top.coerceIn(0, height)
+        this.right = right.coerceIn(this.left, width)
+        this.bottom = bottom.coerceIn(this.top, height)
+    }
+
+    /** Takes over the pixels of [other], of the same size, each moved by ([dx], [dy]). What comes from outside stays. */
+    fun copyMoved(other: PixelRaster, dx: Int, dy: Int) {
+        val length = width - Math.abs(dx)
+        if (length <= 0) return
+        for (y in Math.max(0, dy) until Math.min(height, height + dy)) {
+            other.pixels.copyInto(pixels, y * width + Math.max(0, dx), (y - dy) * width + Math.max(0, -dx), (y - dy) * width + Math.max(0, -dx) + length)
+        }
+    }
 
     fun clear(colour: Int) = pixels.fill(colour)
 
     /** All pixels of the box from (x0, y0) to (x1, y1) inclusive. */
     fun block(x0: Int, y0: Int, x1: Int, y1: Int, colour: Int) {
-        val left = maxOf(x0, 0)
-        val right = minOf(x1, width - 1)
-        if (left > right) return
-        for (y in maxOf(y0, 0)..minOf(y1, height - 1)) {
-            for (at in y * width + left..y * width + right) pixels[at] = colour
+        val from = Math.max(x0, left)
+        val to = Math.min(x1, right - 1)
+        val last = Math.min(y1, bottom - 1)
+        var y = Math.max(y0, top)
+        while (y <= last) {
+            var at = y * width + from
+            val end = y * width + to
+            while (at <= end) pixels[at++] = colour
+            y++
         }
     }
 
-    /** The pixels whose middles lie in a triangle, row by row. */
+    /** The pixels whose middles lie in a triangle, row by row. An edge that two triangles share is the same line for both. */
     fun triangle(ax: Double, ay: Double, bx: Double, by: Double, cx: Double, cy: Double, colour: Int) {
-        val top = Math.max(0.0, Math.ceil(Math.min(ay, Math.min(by, cy)) - HALF)).toInt()
-        val bottom = Math.min(height - 1.0, Math.floor(Math.max(ay, Math.max(by, cy)) - HALF)).toInt()
-        for (y in top..bottom) {
-            val middle = y + HALF
-            var from = Double.POSITIVE_INFINITY
-            var to = Double.NEGATIVE_INFINITY
-            if ((ay <= middle) != (by <= middle)) {
-                val x = ax + (middle - ay) / (by - ay) * (bx - ax)
-                from = Math.min(from, x)
-                to = Math.max(to, x)
-            }
-            if ((by <= middle) != (cy <= middle)) {
-                val x = bx + (middle - by) / (cy - by) * (cx - bx)
-                from = Math.min(from, x)
-                to = Math.max(to, x)
-            }
-            if ((cy <= middle) != (ay <= middle)) {
-                val x = cx + (middle - cy) / (ay - cy) * (ax - cx)
-                from = Math.min(from, x)
-                to = Math.max(to, x)
-            }
-            val left = Math.max(0.0, Math.ceil(from - HALF)).toInt()
-            val right = Math.min(width - 1.0, Math.ceil(to - HALF) - 1).toInt()
-            if (left <= right) pixels.fill(colour, y * width + left, y * width + right + 1)
+        when {
+            ay <= by && by <= cy -> rows(ax, ay, bx, by, cx, cy, colour)
+            ay <= cy && cy <= by -> rows(ax, ay, cx, cy, bx, by, colour)
+            by <= ay && ay <= cy -> rows(bx, by, ax, ay, cx, cy, colour)
+            by <= cy && cy <= ay -> rows(bx, by, cx, cy, ax, ay, colour)
+            cy <= ay && ay <= by -> rows(cx, cy, ax, ay, bx, by, colour)
+            else -> rows(cx, cy, bx, by, ax, ay, colour)
         }
+    }
+
+    /** A triangle with its corners from the uppermost to the lowest. */
+    private fun rows(ax: Double, ay: Double, bx: Double, by: Double, cx: Double, cy: Double, colour: Int) {
+        val begin = firstMiddle(ay, top, bottom)
+        val end = firstMiddle(cy, top, bottom)
+        if (begin >= end) return
+        val long = (cx - ax) / (cy - ay)
+        val upper = (bx - ax) / (by - ay)
+        val lower = (cx - bx) / (cy - by)
+        for (y in begin until end) {
+            val middle = y + HALF
+            val p = ax + (middle - ay) * long
+            val q = if (middle < by) ax + (middle - ay) * upper else bx + (middle - by) * lower
+            val from = y * width + firstMiddle(Math.min(p, q), left, right)
+            val to = y * width + firstMiddle(Math.max(p, q), left, right)
+            for (at in from until to) pixels[at] = colour
+        }
+    }
+
+    /** The first pixel of a row, from [low] until [high], whose middle does not lie before [place]. */
+    private fun firstMiddle(place: Double, low: Int, high: Int): Int {
+        val shifted = place - HALF
+        if (!(shifted > low)) return low
+        if (shifted >= high) return high
+        val whole = shifted.toInt()
+        return if (shifted > whole) whole + 1 else whole
     }
 
     /**
@@ -63,30 +104,30 @@ internal class PixelRaster(val width: Int, val height: Int) {
 
     private fun flat(x0: Double, y0: Double, x1: Double, y1: Double, colour: Int, strength: Int) {
         val slope = if (x1 == x0) 0.0 else (y1 - y0) / (x1 - x0)
-        val from = Math.max(0.0, Math.floor(x0)).toInt()
-        val to = Math.min(width - 1.0, Math.floor(x1)).toInt()
+        val from = Math.max(left.toDouble(), Math.floor(x0)).toInt()
+        val to = Math.min(right - 1.0, Math.floor(x1)).toInt()
         var y = y0 + slope * (from + HALF - x0) - HALF
         for (x in from..to) {
             val row = Math.floor(y)
             val share = ((y - row) * strength).toInt()
             val r = row.toInt()
-            if (r in 0 until height) blend(r * width + x, colour, strength - share)
-            if (r + 1 in 0 until height) blend((r + 1) * width + x, colour, share)
+            if (r in top until bottom) blend(r * width + x, colour, strength - share)
+            if (r + 1 in top until bottom) blend((r + 1) * width + x, colour, share)
             y += slope
         }
     }
 
     private fun steep(x0: Double, y0: Double, x1: Double, y1: Double, colour: Int, strength: Int) {
         val slope = (x1 - x0) / (y1 - y0)
-        val from = Math.max(0.0, Math.floor(y0)).toInt()
-        val to = Math.min(height - 1.0, Math.floor(y1)).toInt()
+        val from = Math.max(top.toDouble(), Math.floor(y0)).toInt()
+        val to = Math.min(bottom - 1.0, Math.floor(y1)).toInt()
         var x = x0 + slope * (from + HALF - y0) - HALF
         for (y in from..to) {
             val column = Math.floor(x)
             val share = ((x - column) * strength).toInt()
             val c = column.toInt()
-            if (c in 0 until width) blend(y * width + c, colour, strength - share)
-            if (c + 1 in 0 until width) blend(y * width + c + 1, colour, share)
+            if (c in left until right) blend(y * width + c, colour, strength - share)
+            if (c + 1 in left until right) blend(y * width + c + 1, colour, share)
             x += slope
         }
     }

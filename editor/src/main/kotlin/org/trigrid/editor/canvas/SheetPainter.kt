@@ -26,15 +26,9 @@ internal class SheetPainter(
     fun grid() {
         val step = Grid.stepFor(view.pixel)
         val strong = Grid.strongEvery(step)
-        g.lineWidth = 1.0
-        lines(step, strong, view.left, view.domainX(width)) { at ->
-            val x = crisp(view.screenX(at))
-            g.strokeLine(x, 0.0, x, height)
-        }
-        lines(step, strong, view.domainY(height), view.top) { at ->
-            val y = crisp(view.screenY(at))
-            g.strokeLine(0.0, y, width, y)
-        }
+        // Boxes of whole pixels are filled many times faster than lines are stroked.
+        lines(step, strong, view.left, view.domainX(width)) { at -> g.fillRect(Math.floor(view.screenX(at)), 0.0, 1.0, height) }
+        lines(step, strong, view.domainY(height), view.top) { at -> g.fillRect(0.0, Math.floor(view.screenY(at)), width, 1.0) }
     }
 
     private fun lines(step: Double, strong: Int, from: Double, to: Double, draw: (Double) -> Unit) {
@@ -42,7 +36,7 @@ internal class SheetPainter(
         val last = Math.floor(to / step).toLong()
         if (last - first > MOST_LINES) return
         for (pass in 0..2) {
-            g.stroke = if (pass == 0) colours.gridFine else if (pass == 1) colours.gridStrong else colours.axis
+            g.fill = if (pass == 0) colours.gridFine else if (pass == 1) colours.gridStrong else colours.axis
             for (i in first..last) {
                 val kind = if (i == 0L) 2 else if (i % strong == 0L) 1 else 0
                 if (kind == pass) draw(i * step)
@@ -86,8 +80,6 @@ internal class SheetPainter(
         g.fill = colour.deriveColor(0.0, 1.0, 1.0, SHADE)
         g.fill()
     }
-
-    private fun crisp(value: Double): Double = Math.floor(value) + 0.5
 
     private companion object {
         const val MOST_LINES = 2000

@@ -60,6 +60,7 @@ internal class SpreadNodes(
         document = NodeEdits.delete(document, between.subList(1, between.size - 1).toSet())
         var at = document.nodes.at(first.x, first.y)
         val end = document.nodes.at(last.x, last.y)
+        require(at >= 0 && end >= 0) { "The way between the two nodes comes back on itself; pick two nearer ones" }
         var next = end
         for (point in inner) {
             document = NodeEdits.insert(document, at, next, point)

@@ -42,11 +42,7 @@ internal class EditorDocument(val project: Project) {
     val isEmpty: Boolean get() = path.shapeCount == 0 && loops.isEmpty()
 
     /** Names of the boundary groups in use, in order of first use. */
-    fun groups(): List<String> {
-        val names = LinkedHashSet<String>()
-        for (outline in outlines) names.addAll(outline.tags)
-        return names.toList()
-    }
+    val groups: List<String> by lazy(LazyThreadSafetyMode.PUBLICATION) { outlines.flatMapTo(LinkedHashSet()) { it.tags }.toList() }
 
     /** Whether both have the same mesh: they differ at most in colours and the picture behind. */
     fun isMeshedAs(other: EditorDocument): Boolean {

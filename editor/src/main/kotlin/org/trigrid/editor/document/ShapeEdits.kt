@@ -45,26 +45,23 @@ internal object ShapeEdits {
     }
 
     /** Another shape in place of one; the ends of its neighbours, and what hangs on it, follow its ends. */
-    fun replace(path: Path, shape: Int, by: Shape): Path {
-        val old = path.shape(shape)
-        var changed = path.replaceShape(shape, by)
-        for (other in 0 until path.shapeCount) {
-            if (other == shape) continue
-            val follower = follow(path.shape(other), old, by)
-            if (follower !== path.shape(other)) changed = changed.replaceShape(other, follower)
-        }
-        return changed
-    }
+    fun replace(path: Path, shape: Int, by: Shape): Path = replace(path, mapOf(shape to by))
 
     /** Several shapes changed at once; others follow the ends of those. */
-    fun transform(path: Path, shapes: Set<Int>, similarity: Similarity): Path {
+    fun transform(path: Path, shapes: Set<Int>, similarity: Similarity): Path =
+        replace(path, shapes.associateWith { similarity.apply(path.shape(it)) })
+
+    /**
+     * From the last shape to the first, since with the edits of a shape's nodes a connector may go that was made at one of
+     * them; it comes after the shape, so those before it keep their numbers.
+     */
+    private fun replace(path: Path, by: Map<Int, Shape>): Path {
         var changed = path
-        for (shape in shapes) changed = changed.replaceShape(shape, similarity.apply(path.shape(shape)))
-        for (other in 0 until path.shapeCount) {
-            if (other in shapes) continue
-            var follower = path.shape(other)
-            for (shape in shapes) follower = follow(follower, path.shape(shape), changed.shape(shape))
-            if (follower !== path.shape(other)) changed = changed.replaceShape(other, follower)
+        for (other in path.shapeCount - 1 downTo 0) {
+            val old = path.shape(other)
+            val new = by[other] ?: by.entries.fold(old) { follower, (shape, moved) -> follow(follower, path.shape(shape), moved) }
+            val isThere = other < changed.shapeCount && changed.shape(other) == old
+            if (isThere && (other in by || new !== old)) changed = changed.replaceShape(other, new)
         }
         return changed
     }

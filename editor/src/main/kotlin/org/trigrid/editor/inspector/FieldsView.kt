@@ -125,7 +125,7 @@ internal class FieldsView(private val commit: (InspectorField, String) -> String
         when (val control = row.control) {
             is TextField -> {
                 control.setOnAction { submit(row, control.text) }
-                control.focusedProperty().addListener { _, _, isFocused -> if (!isFocused) submit(row, control.text) }
+                control.focusedProperty().addListener { _, _, isFocused -> if (isFocused) showWhole(row, control) else leave(row, control) }
                 control.setOnKeyPressed {
                     if (it.code == KeyCode.ESCAPE && control.text != row.field.value) {
                         control.text = row.field.value
@@ -139,6 +139,16 @@ internal class FieldsView(private val commit: (InspectorField, String) -> String
             }
             else -> Unit
         }
+    }
+
+    /** All digits, to be edited. */
+    private fun showWhole(row: Row, control: TextField) {
+        if (control.text == row.field.shown) control.text = row.field.value
+    }
+
+    private fun leave(row: Row, control: TextField) {
+        submit(row, control.text)
+        if (control.text == row.field.value) control.text = row.field.shown
     }
 
     private fun submit(row: Row, text: String) {
@@ -157,9 +167,12 @@ internal class FieldsView(private val commit: (InspectorField, String) -> String
         field.colour?.let { row.colours?.value = Color.web(it.value) }
         when (val control = row.control) {
             is Label -> control.text = field.value
-            is TextField -> if (control.text != field.value && (!control.isFocused || !control.pseudoClassStates.contains(INVALID))) {
-                control.text = field.value
-                tell(row, null)
+            is TextField -> {
+                val text = if (control.isFocused) field.value else field.shown
+                if (control.text != text && (!control.isFocused || !control.pseudoClassStates.contains(INVALID))) {
+                    control.text = text
+                    tell(row, null)
+                }
             }
             is ChoiceBox<*> -> {
                 @Suppress("UNCHECKED_CAST")

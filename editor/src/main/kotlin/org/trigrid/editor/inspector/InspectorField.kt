@@ -1,6 +1,7 @@
 package org.trigrid.editor.inspector
 
 import org.trigrid.editor.command.EditCommand
+import org.trigrid.editor.tool.Figures
 
 /** A property as people see and change it. Immutable. */
 internal class InspectorField(
@@ -17,6 +18,18 @@ internal class InspectorField(
     val change: ((String) -> EditCommand)? = null,
 ) {
     val isReadOnly: Boolean get() = change == null
+
+    /** [value] with no more digits than there is room for, while nobody edits it. */
+    val shown: String
+        get() {
+            val number = if (unit.isEmpty() || value.length <= MOST_CHARACTERS) null else value.toDoubleOrNull()
+            return if (number == null) value else Figures.plain(number, DIGITS)
+        }
+
+    private companion object {
+        const val MOST_CHARACTERS = 9
+        const val DIGITS = 7
+    }
 }
 
 /** A colour, `#rrggbb`, and the command that another one asks for. Immutable. */

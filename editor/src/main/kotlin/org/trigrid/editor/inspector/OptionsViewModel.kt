@@ -61,7 +61,7 @@ internal class OptionsViewModel(private val session: EditorSession) {
             "Connectors", if (project.keepsConnectors) KEPT else DROPPED, choices = listOf(DROPPED, KEPT),
             help = "Kept connectors become edges of the mesh",
         ) { ProjectCommands.keepConnectors(it == KEPT) }
-        val all = session.document.groups()
+        val all = session.document.groups
         val groups = all.map { group ->
             InspectorField(
                 "Group", group, help = "Physical group of this boundary in the mesh file; renamed everywhere",

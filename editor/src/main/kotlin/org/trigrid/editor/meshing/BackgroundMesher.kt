@@ -80,6 +80,9 @@ internal class BackgroundMesher(
             tell { listener.failed("Mend the faults first (F4 lists them): $first") }
         } catch (error: TriGridException) {
             tell { listener.failed(error.message.orEmpty()) }
+        } catch (error: RuntimeException) {
+            // A mistake of the program's own must not leave the window waiting.
+            tell { listener.failed("The mesh could not be made: $error. Save the drawing and report it, please") }
         } catch (_: OutOfMemoryError) {
             tell { listener.failed("There is not enough memory for this mesh; ask for larger elements") }
         }

@@ -36,13 +36,13 @@ internal class DomainInspection(
             if (faults.isNotEmpty()) return DomainInspection(document, null, problems(document, faults))
             val warnings = if (domain.nodeCount > MOST_WARNINGS_NODES) emptyList() else DomainCheck.warnings(domain)
             val listed = warnings.map {
-                Problem(ProblemWords.title(it.kind), it.message, it.x, it.y, false)
+                Problem(ProblemWords.title(it.kind), ProblemWords.shortened(it.message), it.x, it.y, false)
             }
             return DomainInspection(document, domain, listed)
         }
 
         private fun problems(document: EditorDocument, faults: List<Fault>): List<Problem> = faults.map {
-            Problem(ProblemWords.title(it.kind), it.message, it.x, it.y, true, FaultFixes.of(document, it))
+            Problem(ProblemWords.title(it.kind), ProblemWords.shortened(it.message), it.x, it.y, true, FaultFixes.of(document, it))
         }
     }
 }

@@ -2,9 +2,15 @@ package org.trigrid.editor.meshing
 
 import org.trigrid.diagnostics.FaultKind
 import org.trigrid.domain.WarningKind
+import org.trigrid.editor.tool.Figures
 
 /** What faults and warnings are called in the problem list. */
 internal object ProblemWords {
+    private val LONG_NUMBER = Regex("""-?\d+\.\d{5,}(?:E-?\d+)?""")
+
+    /** [message] with numbers as short as people read them. */
+    fun shortened(message: String): String = LONG_NUMBER.replace(message) { Figures.length(it.value.toDouble()) }
+
     fun title(kind: FaultKind): String = when (kind) {
         FaultKind.NOT_A_NUMBER -> "Not a number"
         FaultKind.CROSSING -> "Lines cross"

@@ -174,7 +174,9 @@ internal class EditorSession(worker: Executor, publisher: Executor) : ToolHost, 
     /** Whatever comes next is a step of its own. */
     fun endStep() = history.endMerging()
 
+    /** Takes the last step back, or the last point of a shape that is being drawn. */
     fun undo() {
+        if (tool.backspace()) return tell(Change.PREVIEW)
         val name = history.undoName ?: return
         history.undo()
         afterTravel("Undone: $name")

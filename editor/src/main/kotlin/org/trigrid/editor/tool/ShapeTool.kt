@@ -166,7 +166,7 @@ internal class ShapeTool(private val host: ToolHost, val kind: ShapeKind) : Tool
 
     private fun measure(to: Point2?): String {
         val from = points.lastOrNull() ?: return ""
-        if (to == null) return ""
+        if (to == null || ShapeEdits.isAt(from, to)) return ""
         val dx = to.x - from.x
         val dy = to.y - from.y
         if (kind == ShapeKind.RECTANGLE || kind == ShapeKind.ELLIPSE) return "${Figures.length(Math.abs(dx))} × ${Figures.length(Math.abs(dy))}"

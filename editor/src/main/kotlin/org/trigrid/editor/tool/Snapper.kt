@@ -3,6 +3,7 @@ package org.trigrid.editor.tool
 import org.trigrid.editor.document.EditorDocument
 import org.trigrid.editor.document.Picking
 import org.trigrid.geometry.Point2
+import org.trigrid.shape.Arc
 import org.trigrid.shape.Circle
 import org.trigrid.shape.Ellipse
 import org.trigrid.shape.Line
@@ -39,25 +40,27 @@ internal class Snapper(private val document: EditorDocument, private val setting
         }
         if (settings.toShapes) {
             nearest(places, free, reach)?.let { return it }
-            if (except.isEmpty()) intersection(input, reach)?.let { return it }
+            if (except.isEmpty()) alongSegments(input, reach)?.let { return it }
         }
         return if (settings.toGrid) grid(input) else SnapPoint(free, SnapKind.NONE)
     }
 
-    /** The nearest crossing of two segments, or the middle of one. */
-    private fun intersection(input: PointerInput, reach: Double): SnapPoint? {
+    /** The nearest crossing of two segments, or the middle of one of a loop, whose segments are its shapes. */
+    private fun alongSegments(input: PointerInput, reach: Double): SnapPoint? {
         val nodes = document.nodes
         val near = ArrayList<Pair<Point2, Point2>>()
+        val found = ArrayList<SnapPoint>()
         for (outline in document.outlines) {
             for (step in 0 until outline.stepCount) {
                 val a = nodes.point(outline.nodes[step])
                 val b = nodes.point(outline.stepEnd(step))
                 val foot = Picking.nearest(a, b, input.x, input.y)
-                if (Math.hypot(foot.x - input.x, foot.y - input.y) <= reach) near.add(a to b)
+                if (Math.hypot(foot.x - input.x, foot.y - input.y) > reach) continue
+                near.add(a to b)
+                if (outline.loop >= 0) found.add(SnapPoint(middle(a, b), SnapKind.MIDDLE))
                 if (near.size > MOST_SEGMENTS) return null
             }
         }
-        val found = ArrayList<SnapPoint>()
         for (i in near.indices) {
             for (j in 0 until i) crossing(near[i], near[j])?.let { found.add(SnapPoint(it, SnapKind.INTERSECTION)) }
         }
@@ -106,13 +109,27 @@ internal class Snapper(private val document: EditorDocument, private val setting
     private fun placesOf(shape: Shape): List<SnapPoint> = when (shape) {
         is Circle -> listOf(SnapPoint(shape.centre, SnapKind.CENTRE))
         is Ellipse -> listOf(SnapPoint(shape.centre, SnapKind.CENTRE))
-        is Rectangle -> listOf(SnapPoint(middle(shape.firstPoint, shape.endCorner), SnapKind.CENTRE))
+        is Rectangle -> ofRectangle(shape.firstPoint, shape.endCorner)
+        is Arc -> listOf(SnapPoint(centre(shape), SnapKind.CENTRE))
         is Line -> listOf(SnapPoint(middle(shape.firstPoint, shape.lastPoint), SnapKind.MIDDLE))
         is Lines -> shape.vertices.zipWithNext { a, b -> SnapPoint(middle(a, b), SnapKind.MIDDLE) }
         is Polygon -> shape.vertices.indices.map {
             SnapPoint(middle(shape.vertices[it], shape.vertices[(it + 1) % shape.vertices.size]), SnapKind.MIDDLE)
         } + SnapPoint(shape.centre, SnapKind.CENTRE)
         else -> emptyList()
+    }
+
+    private fun ofRectangle(a: Point2, c: Point2): List<SnapPoint> {
+        val m = middle(a, c)
+        val sides = listOf(Point2(m.x, a.y), Point2(c.x, m.y), Point2(m.x, c.y), Point2(a.x, m.y))
+        return sides.map { SnapPoint(it, SnapKind.MIDDLE) } + SnapPoint(m, SnapKind.CENTRE)
+    }
+
+    /** To the left of the way from begin to end where the arc turns to the left by less than half a turn. */
+    private fun centre(arc: Arc): Point2 {
+        val m = middle(arc.firstPoint, arc.lastPoint)
+        val height = 0.5 / StrictMath.tan(Math.toRadians(arc.angleDegrees) / 2)
+        return Point2(m.x - height * (arc.lastPoint.y - arc.firstPoint.y), m.y + height * (arc.lastPoint.x - arc.firstPoint.x))
     }
 
     private fun middle(a: Point2, b: Point2): Point2 = Point2((a.x + b.x) / 2, (a.y + b.y) / 2)

@@ -56,6 +56,47 @@ class MeshRasterTest {
     }
 
     @Test
+    fun `a picture that is moved and drawn at its rims is the picture drawn anew`() {
+        val raster = MeshRaster(mesh)
+        for (scale in listOf(0.83, 4.1, 30.7)) {
+            val before = ViewTransform(scale, -3.0123, 9.0456)
+            val old = PixelRaster(120, 90).also { raster.draw(it, before, Colouring.QUALITY, ink) }
+            for ((dx, dy) in listOf(7 to 0, 0 to -11, -13 to 5, 90 to 60, -119 to -89)) {
+                val now = before.panned(dx.toDouble(), dy.toDouble())
+                val anew = PixelRaster(120, 90).also { raster.draw(it, now, Colouring.QUALITY, ink) }
+                val moved = PixelRaster(120, 90)
+                moved.copyMoved(old, dx, dy)
+                for ((x0, y0, x1, y1) in rims(dx, dy)) {
+                    moved.clip(x0, y0, x1, y1)
+                    raster.draw(moved, now, Colouring.QUALITY, ink)
+                }
+                val differing = anew.pixels.indices.count { !isAlike(anew.pixels[it], moved.pixels[it]) }
+                assertTrue(differing <= 2, "$differing pixels differ at scale $scale, moved by $dx, $dy")
+            }
+        }
+    }
+
+    /** But for what the last digits do to the strength of a line. */
+    private fun isAlike(p: Int, q: Int): Boolean = (0..24 step 8).all { Math.abs((p ushr it and 255) - (q ushr it and 255)) <= 3 }
+
+    private fun rims(dx: Int, dy: Int): List<IntArray> = listOf(
+        if (dx > 0) intArrayOf(0, 0, dx, 90) else intArrayOf(120 + dx, 0, 120, 90),
+        intArrayOf(maxOf(0, dx), if (dy > 0) 0 else 90 + dy, minOf(120, 120 + dx), if (dy > 0) dy else 90),
+    )
+
+    @Test
+    fun `the index finds all elements that are seen`() {
+        val raster = MeshRaster(mesh)
+        val view = ViewTransform(40.0, 2.0, 6.0)
+        val found = HashSet<Int>()
+        raster.forEachVisible(view, 120.0, 90.0) { found.add(it) }
+        assertTrue(found.size < mesh.mesh.elementCount)
+        for (x in 0 until 120 step 3) for (y in 0 until 90 step 3) {
+            assertTrue(raster.elementAt(view.domainX(x.toDouble()), view.domainY(y.toDouble())) in found)
+        }
+    }
+
+    @Test
     fun `the element under the mouse is the one that holds the place`() {
         val raster = MeshRaster(mesh)
         for (element in 0 until mesh.mesh.elementCount) {
@@ -83,7 +124,7 @@ class MeshRasterTest {
     fun `a million elements are drawn fast enough to pan and zoom`() {
         val raster = MeshRaster(MeshView(null, grid(708), null))
         val pixels = PixelRaster(1000, 800)
-        for (factor in listOf(1.0, 4.0, 30.0)) {
+        for (factor in listOf(1.0, 2.0, 3.0, 4.0, 6.0, 10.0, 30.0)) {
             val view = ViewTransform.fit(Box(0.0, 0.0, 708.0, 708.0), 1000.0, 800.0, 10.0).zoomed(factor, 500.0, 400.0)
             val millis = (0 until 15).map {
                 val begin = System.nanoTime()

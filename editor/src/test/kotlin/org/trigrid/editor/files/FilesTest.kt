@@ -10,7 +10,9 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.trigrid.domain.DomainCheck
 import org.trigrid.domain.Path as ShapePath
+import org.trigrid.MeshOptions
 import org.trigrid.editor.document.EditorDocument
+import org.trigrid.front.Strategy
 import org.trigrid.project.Project
 import org.trigrid.project.ProjectFile
 import org.trigrid.shape.Circle
@@ -77,8 +79,8 @@ class FilesTest {
         DocumentFile.write(file, document)
         Files.setLastModifiedTime(autosave.copyOf(file), java.nio.file.attribute.FileTime.fromMillis(0))
         assertNull(autosave.recovered(file))
-        autosave.copyOf(null).writeText("{\"format\": \"trigrid\", \"ver")
-        assertNull(autosave.recovered(null))
+        Autosave(folder, NO_PROCESS).copyOf(null).writeText("{\"format\": \"trigrid\", \"ver")
+        assertNull(autosave.adoptUntitled())
     }
 
     @Test
@@ -106,6 +108,46 @@ class FilesTest {
     }
 
     @Test
+    fun `a drawing without a file is offered once its window is gone, and no other window's`() {
+        val gone = Autosave(folder, NO_PROCESS)
+        gone.write(null, document)
+        val mine = Autosave(folder)
+        assertEquals(1, mine.adoptUntitled()!!.path.shapeCount)
+        assertFalse(gone.copyOf(null).exists())
+        assertTrue(mine.copyOf(null).exists())
+        assertNull(Autosave(folder, NO_PROCESS).adoptUntitled())
+        mine.discard(null)
+        assertFalse(mine.copyOf(null).exists())
+    }
+
+    @Test
+    fun `a copy that comes late is not written`() {
+        val file = folder.resolve("late.trigrid.json")
+        val autosave = Autosave(folder)
+        val ticket = autosave.ticket
+        autosave.discard(file)
+        autosave.write(file, document, ticket)
+        assertFalse(autosave.copyOf(file).exists())
+        autosave.write(file, document, autosave.ticket)
+        assertTrue(autosave.copyOf(file).exists())
+    }
+
+    @Test
+    fun `how meshes are made is remembered, but not how small`() {
+        val preferences = Preferences(folder)
+        val chosen = MeshOptions.builder().strategy(Strategy.CLASSIC).gradation(0.4).improve(false).maxSize(0.01).build()
+        OptionMemory(preferences).remember(chosen)
+        val next = OptionMemory(Preferences(folder)).options()
+        assertEquals(Strategy.CLASSIC, next.strategy)
+        assertEquals(0.4, next.gradation)
+        assertFalse(next.improve)
+        assertEquals(Double.POSITIVE_INFINITY, next.maxSize)
+        preferences["mesh.gradation"] = "-3"
+        preferences["mesh.strategy"] = "no such"
+        assertEquals(MeshOptions.DEFAULT.gradation, OptionMemory(preferences).options().gradation)
+    }
+
+    @Test
     fun `lists of points are loops`() {
         val loops = PointList.parse("0 0\n1, 0\n1;1\n\n5 5\n6 5\n6 6\n5 5\n")!!
         assertEquals(2, loops.size)
@@ -115,7 +157,21 @@ class FilesTest {
     }
 
     @Test
+    fun `lists of points may have headings and decimal commas`() {
+        val wanted = doubleArrayOf(0.5, 0.0, 1.5, -0.25, 1.0, 1.0)
+        for (text in listOf("x y\n0.5 0\n1.5 -0.25\n1 1", "x;y\n0,5;0\n1,5;-0,25\n1;1", "0,5\t0\n1,5\t-0,25\n1\t1", "0,5 0,0\n1,5 -0,25\n1,0 1,0")) {
+            assertArrayEquals(wanted, PointList.parse(text)!!.single(), text)
+        }
+        assertNull(PointList.parse("0 0\n1 0\nwords\n1 1"))
+    }
+
+    @Test
     fun `every case of the gallery is a valid domain`() {
         for (case in Gallery.entries) assertEquals(0, DomainCheck.check(case.document().project.toDomain()).size, case.label)
+    }
+
+    private companion object {
+        /** Larger than any number of a process. */
+        const val NO_PROCESS = 1L shl 40
     }
 }

@@ -48,6 +48,13 @@ class InspectorViewModelTest {
     }
 
     @Test
+    fun `long numbers are shown with seven digits, names as they are`() {
+        assertEquals("3.416659", InspectorField("x", "3.4166586791234", "length") { error("not asked") }.shown)
+        assertEquals("0.25", InspectorField("x", "0.25", "length").shown)
+        assertEquals("12345678901234", InspectorField("Name", "12345678901234").shown)
+    }
+
+    @Test
     fun `what is no number, or none that makes sense, is refused with words`() {
         drawCircle()
         val before = session.document

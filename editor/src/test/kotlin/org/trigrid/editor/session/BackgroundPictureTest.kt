@@ -86,9 +86,9 @@ class BackgroundPictureTest {
         Files.copy(file, elsewhere)
         val read = DocumentFile.read(elsewhere).document
         assertEquals(elsewhere.resolveSibling("photos").resolve("hand.png").toString(), read.picture!!.file)
-        val autosave = Autosave(folder.resolve("home"))
+        val autosave = Autosave(folder.resolve("home"), 1L shl 40)
         autosave.write(null, session.document)
-        assertEquals(session.document.picture!!.file, autosave.recovered(null)!!.picture!!.file)
+        assertEquals(session.document.picture!!.file, Autosave(folder.resolve("home")).adoptUntitled()!!.picture!!.file)
     }
 
     @Test

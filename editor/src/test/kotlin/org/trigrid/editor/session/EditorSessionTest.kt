@@ -74,7 +74,7 @@ class EditorSessionTest {
         session.execute(ProjectCommands.options("gradation", session.document.project.options.toBuilder().gradation(0.1).build()))
         session.execute(ProjectCommands.regionName("steel"))
         session.execute(ProjectCommands.renameGroup("boundary", "edge"))
-        assertEquals(listOf("edge"), session.document.groups())
+        assertEquals(listOf("edge"), session.document.groups)
         assertEquals("rename group", session.undoName)
         repeat(3) { session.undo() }
         assertEquals(before, ProjectFile.format(session.document.project))

@@ -5,9 +5,12 @@ import org.junit.jupiter.api.Test
 import org.trigrid.domain.Path
 import org.trigrid.editor.document.EditorDocument
 import org.trigrid.geometry.Point2
+import org.trigrid.project.NodeLoop
 import org.trigrid.project.Project
+import org.trigrid.shape.Arc
 import org.trigrid.shape.Circle
 import org.trigrid.shape.Line
+import org.trigrid.shape.Rectangle
 
 class SnapperTest {
     private val path = Path.of(Line(0.0, 0.0, 3.0, 0.0, 1.0)).newLoop()
@@ -35,6 +38,21 @@ class SnapperTest {
         assertEquals(SnapKind.INTERSECTION, crossing.kind)
         assertEquals(1.5 + 0.25 / 3, crossing.point.x, 1e-12)
         assertEquals(0.0, crossing.point.y, 1e-12)
+    }
+
+    @Test
+    fun `sides of rectangles and loops have middles, arcs have centres`() {
+        val path = Path.of(Rectangle(0.0, 0.0, 5.0, 3.0, 1.0)).newLoop().append(Arc.through(Point2(12.0, 0.0), Point2(10.0, 2.0), Point2(8.0, 0.0), 0.5))
+        val loop = NodeLoop(doubleArrayOf(20.0, 0.0, 26.0, 0.0, 20.0, 6.0), "boundary")
+        val snapper = Snapper(EditorDocument(Project.builder().path(path).loops(listOf(loop)).build()), SnapSettings())
+        fun at(x: Double, y: Double) = snapper.snap(PointerInput(x, y, 0.01))
+        for ((x, y) in listOf(5.0 to 1.5, 2.5 to 3.0, 0.0 to 1.5, 23.0 to 0.0, 23.0 to 3.0)) {
+            assertEquals(SnapKind.MIDDLE, at(x + 0.02, y - 0.03).kind)
+            assertEquals(Point2(x, y), at(x + 0.02, y - 0.03).point)
+        }
+        assertEquals(SnapKind.CENTRE, at(2.51, 1.51).kind)
+        assertEquals(SnapKind.CENTRE, at(10.02, 0.03).kind)
+        assertEquals(0.0, at(10.02, 0.03).point.distanceTo(Point2(10.0, 0.0)), 1e-12)
     }
 
     @Test
