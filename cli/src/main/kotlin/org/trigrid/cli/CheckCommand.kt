@@ -32,8 +32,11 @@ internal class CheckCommand(private val session: Session) : Callable<Int> {
     @Mixin
     lateinit var arguments: ExplodingArguments
 
+    @Mixin
+    lateinit var inner: InnerArguments
+
     override fun call(): Int {
-        val options = arguments.toOptions(spec.commandLine())
+        val options = inner.over(arguments.toOptions(spec.commandLine()), spec.commandLine())
         if (MeshInput.isMesh(input)) throw ParameterException(spec.commandLine(), "$input is a mesh; 'trigrid info' checks meshes")
         val lines = FaultLines(session.terminal.err, input.toString())
         var isFaulty = false

@@ -41,13 +41,13 @@ public object DomainInputs {
         if (options.hasSpacing()) asked.path(respaced(given.path, options))
         val project = asked.build()
         val name = file.fileName.toString().dropLast(PROJECT_ENDING.length)
-        return DomainInput(name, project.toDomain(), project.options, project.path)
+        return DomainInput(name, project.toDomain(), project.options, project.order, project.path)
     }
 
     private fun fromFormats(file: Path, options: InputOptions): List<DomainInput> {
         val read = DomainFormats.read(file, options.division)
         val domains = if (options.join) listOf(NamedDomain(DomainFormats.baseName(file), joined(read))) else read
-        return domains.map { DomainInput(it.name, it.domain, MeshOptions.DEFAULT, ShapePath.EMPTY) }
+        return domains.map { DomainInput(it.name, it.domain, MeshOptions.DEFAULT, 1, ShapePath.EMPTY) }
     }
 
     /** One domain of all, each a region called after it; of regions that a file has within a domain the names stay. */
