@@ -77,7 +77,7 @@ internal class MeshImprover(
     private companion object {
         const val ROUNDS = 2
         const val TRIALS = 2
-        const val LAST_SWEEPS = 3
+        const val LAST_SWEEPS = 2
         const val WORST_ROUNDS = 3
     }
 }

@@ -192,8 +192,8 @@ internal class PatchTrials(
         const val MOST_CHANGE = 4.5
 
         /** Where there is less energy around the four nodes to begin with, there is too little to gain. */
-        const val CALM_FLIP = 0.31
-        const val CALM = 0.33
+        const val CALM_FLIP = 0.45
+        const val CALM = 0.5
 
         /** Gain in energy that is worth a change. */
         const val ENOUGH = 0.001
@@ -203,7 +203,7 @@ internal class PatchTrials(
 
         /**
          * Where the energy is still above that before surgery by this much after the seeds have been smoothed, or the whole
-         * patch once, a trial is given up: of those that are kept in the end 1 in 20 is lost, of the others 19 in 20 end here.
+         * patch once, a trial is given up: of those that would be kept in the end 1 in 8 is lost, of the others 19 in 20 end here.
          */
         const val HOPELESS_FLIP = 0.12
         const val HOPELESS = 0.15
