@@ -4,7 +4,7 @@
     python formats.py TRIGRID FOLDER
 
 Makes a plate of two by one with named sides in FOLDER, converts its mesh to every format, and compares what each reader
-finds with the mesh: Gmsh, meshio, VTK and Triangle; CalculiX solves the plate in tension, MFEM Laplace's equation on it. Of a disc of six-node elements Gmsh
+finds with the mesh: Gmsh, meshio, VTK and Triangle; CalculiX solves the plate in tension, of one material and of two, MFEM Laplace's equation on it. Of a disc of six-node elements Gmsh
 finds the area, whose error must fall with the fourth power of the spacing. A reader that is not installed is a failure.
 Exit status 1 when something fails.
 """
@@ -42,6 +42,19 @@ right, P, -1.
 *NODE PRINT, NSET=right
 U
 *END STEP
+"""
+
+TWO_MATERIALS = """*INCLUDE, INPUT=joint.inp
+*MATERIAL, NAME=S
+*ELASTIC
+2., 0.
+*MATERIAL, NAME=H
+*ELASTIC
+4., 0.
+*SOLID SECTION, ELSET=soft, MATERIAL=S
+1.
+*SOLID SECTION, ELSET=hard, MATERIAL=H
+1.
 """
 
 
@@ -237,17 +250,49 @@ def check_abaqus(plate):
     require_tension(plate, 11)
 
 
-def require_tension(plate, nodes):
+def require_tension(plate, nodes, materials=TENSION.split("*BOUNDARY")[0], growth=1.0):
     with open(plate.path("tension.inp"), "w", encoding="ascii") as file:
-        file.write(TENSION)
+        file.write(materials + "*BOUNDARY" + TENSION.split("*BOUNDARY")[1])
     done = subprocess.run(["ccx", "tension"], cwd=plate.folder, capture_output=True, text=True, timeout=120)
     if "*ERROR" in done.stdout or done.returncode != 0:
         raise ValueError("ccx: " + " ".join(re.findall(r"\*ERROR.*", done.stdout)))
     with open(plate.path("tension.dat"), encoding="ascii") as file:
         moves = [float(line.split()[1]) for line in file if re.match(r"\s*\d+\s+[-\d.]", line)]
     # Stress 1, Young's modulus 2: a length of 2 grows by 1.
-    if len(moves) < nodes or max(abs(m - 1) for m in moves) > 1e-5:
+    if len(moves) < nodes or max(abs(m - growth) for m in moves) > 1e-5:
         raise ValueError(f"CalculiX moves the right side by {moves}")
+
+
+def check_regions(plate):
+    """The plate of two materials, and a point in each."""
+    joint = dict(PLATE, version=2, lines=[{"name": "joint", "nodes": [[1, i / 10] for i in range(11)]}], points=[
+        {"name": "probe", "at": [0.52, 0.47]}, {"name": "probe", "at": [1.53, 0.48]}], regions=[
+        {"name": "soft", "material": 7, "at": [[0.5, 0.5]]}, {"name": "hard", "material": 3, "at": [[1.5, 0.5]]}])
+    with open(plate.path("joint.trigrid.json"), "w", encoding="utf-8") as file:
+        json.dump(joint, file)
+    counts = {}
+    for name in ("joint.msh", "joint.vtu", "joint.mesh", "joint.bdf", "joint.inp", "joint.ele"):
+        plate.run("mesh", plate.path("joint.trigrid.json"), "-o", plate.path(name))
+        if name == "joint.ele":
+            with open(plate.path(name), encoding="ascii") as file:
+                found = [line.split()[4] for line in file if len(line.split()) == 5]
+            counts[name] = {int(a): found.count(a) for a in set(found)}
+            continue
+        mesh = by_meshio(plate.path(name))
+        if name == "joint.inp":
+            counts[name] = {m: sum(len(c) for c in mesh.cell_sets[r]) for r, m in (("soft", 7), ("hard", 3))}
+            if len(mesh.point_sets["probe"]) != 2 or len(mesh.point_sets["joint"]) != 11:
+                raise ValueError("joint.inp: other node sets")
+            continue
+        key = {"joint.msh": "gmsh:physical", "joint.vtu": "region", "joint.mesh": "medit:ref", "joint.bdf": "nastran:ref"}[name]
+        numbers = np.concatenate([np.ravel(n) for c, n in zip(mesh.cells, mesh.cell_data[key]) if c.type == "triangle"])
+        materials = {1: 7, 2: 3} if name == "joint.vtu" else {}
+        counts[name] = {materials.get(int(n), int(n)): int(np.sum(numbers == n)) for n in np.unique(numbers)}
+        if name == "joint.msh" and not {"soft": [7, 2], "hard": [3, 2]}.items() <= {k: v.tolist() for k, v in mesh.field_data.items()}.items():
+            raise ValueError(f"joint.msh: the groups {mesh.field_data}")
+    if len({tuple(sorted(c.items())) for c in counts.values()}) != 1 or set(counts["joint.msh"]) != {3, 7}:
+        raise ValueError(f"elements of the materials: {counts}")
+    require_tension(plate, 11, TWO_MATERIALS, 0.75)
 
 
 def check_second_order(plate):
@@ -371,7 +416,7 @@ def main():
         return 2
     plate = Plate(os.path.abspath(sys.argv[1]), sys.argv[2])
     failed = 0
-    for check in (check_msh, check_vtu, check_medit, check_su2, check_nastran, check_triangle, check_abaqus, check_second_order,
+    for check in (check_msh, check_vtu, check_medit, check_su2, check_nastran, check_triangle, check_abaqus, check_regions, check_second_order,
                   check_mfem):
         name = check.__name__.removeprefix("check_")
         try:

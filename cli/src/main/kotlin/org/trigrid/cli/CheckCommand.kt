@@ -32,8 +32,11 @@ internal class CheckCommand(private val session: Session) : Callable<Int> {
     @Mixin
     lateinit var arguments: ExplodingArguments
 
+    @Mixin
+    lateinit var inner: InnerArguments
+
     override fun call(): Int {
-        val options = arguments.toOptions(spec.commandLine())
+        val options = inner.over(arguments.toOptions(spec.commandLine()), spec.commandLine())
         if (MeshInput.isMesh(input)) throw ParameterException(spec.commandLine(), "$input is a mesh; 'trigrid info' checks meshes")
         val lines = FaultLines(session.terminal.err, input.toString())
         var isFaulty = false
@@ -43,7 +46,9 @@ internal class CheckCommand(private val session: Session) : Callable<Int> {
             lines.print(faults)
             if (faults.isEmpty()) {
                 lines.printWarnings(DomainCheck.warnings(domain))
-                session.terminal.out.println(OneLine.of("$input: ${given.name}: ${domain.nodeCount} nodes, ${domain.loopCount} loops, no faults"))
+                val regions = if (domain.regions.size > 1) "${domain.regions.size} regions, " else ""
+                val counts = "${domain.nodeCount} nodes, ${domain.loopCount} loops, ${regions}no faults"
+                session.terminal.out.println(OneLine.of("$input: ${given.name}: $counts"))
             }
             isFaulty = isFaulty || faults.isNotEmpty()
         }

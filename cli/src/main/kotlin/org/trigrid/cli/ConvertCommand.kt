@@ -71,6 +71,9 @@ internal class ConvertCommand(private val session: Session) : Callable<Int> {
     @Mixin
     lateinit var exploding: ExplodingArguments
 
+    @Mixin
+    lateinit var inner: InnerArguments
+
     override fun call(): Int {
         if (list) {
             for (line in FormatList.lines()) session.terminal.out.println(line)
@@ -78,7 +81,7 @@ internal class ConvertCommand(private val session: Session) : Callable<Int> {
         }
         val from = input ?: throw ParameterException(spec.commandLine(), "say what to convert: IN and OUT")
         val to = output ?: throw ParameterException(spec.commandLine(), "say what to write: OUT")
-        val options = exploding.toOptions(spec.commandLine())
+        val options = inner.over(exploding.toOptions(spec.commandLine()), spec.commandLine())
         if (project != null && ordering.order == 1) throw ParameterException(spec.commandLine(), "--project is for --order 2")
         if (MeshInput.isMesh(from)) return convertMesh(from, to)
         ordering.check(null, spec.commandLine())

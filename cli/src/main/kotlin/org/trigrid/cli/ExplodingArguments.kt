@@ -43,36 +43,6 @@ class ExplodingArguments {
     )
     var unit: String? = null
 
-    @Option(
-        names = ["--region"], paramLabel = "NAME[=M][,H]@X,Y",
-        description = [
-            "The part of the domain round the place (X, Y), or round each of several, belongs to the region NAME, of the material " +
-                "number M and with elements no larger than H. A hole that the place lies in is filled. May be given again.",
-        ],
-    )
-    var regions: List<String> = emptyList()
-
-    @Option(
-        names = ["--point"], paramLabel = "[NAME@]X,Y",
-        description = ["The place (X, Y) becomes a node of the mesh, and so do more of them. May be given again."],
-    )
-    var points: List<String> = emptyList()
-
-    @Option(
-        names = ["--line"], paramLabel = "[NAME[,H]@]X,Y,X,Y",
-        description = [
-            "Segments between these places inside the domain, or with H nodes at that distance along them, become edges of the " +
-                "mesh. May be given again.",
-        ],
-    )
-    var lines: List<String> = emptyList()
-
-    @Option(
-        names = ["--join-domains"],
-        description = ["The polygons of a file are regions of one domain, and sides that they share its interfaces."],
-    )
-    var joinDomains: Boolean = false
-
     /** What was asked for; a spacing or a ratio that cannot be is a usage error. */
     fun toOptions(commandLine: CommandLine): InputOptions {
         if (spacing == null && ratio != null) throw ParameterException(commandLine, "--ratio needs --spacing")
@@ -84,8 +54,7 @@ class ExplodingArguments {
             var division = CurveDivision.DEFAULT.withUnit(lengthUnit)
             spacing?.let { division = division.withSpacing(it, ratio ?: 1.0) }
             join?.let { division = division.withJoin(it) }
-            InputOptions.DEFAULT.withKeepConnectors(keepConnectors).withDivision(division).withJoin(joinDomains)
-                .withInner(InnerArguments(commandLine).parts(regions, points, lines))
+            InputOptions.DEFAULT.withKeepConnectors(keepConnectors).withDivision(division)
         } catch (error: IllegalArgumentException) {
             throw ParameterException(commandLine, "--${error.message}")
         }

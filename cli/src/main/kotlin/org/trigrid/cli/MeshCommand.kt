@@ -80,6 +80,9 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
     lateinit var exploding: ExplodingArguments
 
     @Mixin
+    lateinit var inner: InnerArguments
+
+    @Mixin
     lateinit var ordering: OrderArguments
 
     @Mixin
@@ -95,7 +98,7 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
     var picture: Path? = null
 
     override fun call(): Int {
-        val inputOptions = exploding.toOptions(spec.commandLine())
+        val inputOptions = inner.over(exploding.toOptions(spec.commandLine()), spec.commandLine())
         meshing.over(MeshOptions.DEFAULT, spec.commandLine())
         outDir?.let { return meshMany(it, inputOptions) }
         val target = output ?: usage("say where the mesh goes: --output OUT, or --out-dir DIR for many")
@@ -111,7 +114,7 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
         val figures = domains.mapIndexed { i, domain ->
             val file = NumberedFiles.name(target, i, domains.size)
             val drawn = picture?.let { NumberedFiles.name(it, i, domains.size) }
-            mesh(input, domain, if (i == 0) clock else RunClock()) { mesh, ordered ->
+            mesh(input, domain, ordering.of(domain, meshFormat), if (i == 0) clock else RunClock()) { mesh, ordered ->
                 ordered.write(file, meshFormat)
                 drawn?.let { PictureOutput.write(Pictures.mesh(mesh), it, PictureOutput.DEFAULT_PIXELS) }
             }.also { if (report != STANDARD_OUTPUT) session.terminal.out.println(OneLine.of("$file: ${it.summary()}")) }
@@ -152,7 +155,7 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
             OutputPlace.checkApart(files.map { "an input" to it.input } + ("the report" to file), spec.commandLine())
         }
         val made = if (resume && remembered != null) MadeMeshes.of(remembered) else MadeMeshes.NONE
-        val plan = BatchPlan(inputOptions, meshFormat, ordering.order, threads, made) { meshing.over(it, spec.commandLine()) }
+        val plan = BatchPlan(inputOptions, meshFormat, ordering, threads, made) { meshing.over(it, spec.commandLine()) }
         BatchLog.open(report, session.terminal.out, resume).use { log ->
             val batch = BatchRun(session, plan, files, log)
             val code = batch.run()
@@ -162,10 +165,12 @@ internal class MeshCommand(private val session: Session) : Callable<Int> {
         }
     }
 
-    private fun mesh(input: Path, given: DomainInput, clock: RunClock, write: (TriMesh, OrderedMesh) -> Unit): MeshFigures {
+    private fun mesh(
+        input: Path, given: DomainInput, order: Int, clock: RunClock, write: (TriMesh, OrderedMesh) -> Unit,
+    ): MeshFigures {
         val options = meshing.over(given.options, spec.commandLine())
         val result = DomainMesher(session, input).mesh(given.domain, options)
-        val ordered = clock.ordering { OrderedMesh.of(result.mesh, ordering.order, options.numbering, given::middles) }
+        val ordered = clock.ordering { OrderedMesh.of(result.mesh, order, options.numbering, given::middles) }
         clock.writing { write(result.mesh, ordered) }
         return MeshFigures(given.name, result.report, clock, ordered.quadratic)
     }

@@ -58,10 +58,13 @@ internal class PictureCommand(private val session: Session) : Callable<Int> {
     lateinit var exploding: ExplodingArguments
 
     @Mixin
+    lateinit var inner: InnerArguments
+
+    @Mixin
     lateinit var meshing: MeshingArguments
 
     override fun call(): Int {
-        val inputOptions = exploding.toOptions(spec.commandLine())
+        val inputOptions = inner.over(exploding.toOptions(spec.commandLine()), spec.commandLine())
         checkArguments()
         if (MeshInput.isMesh(input)) {
             PictureOutput.write(show.of(MeshInput.readEither(input).corners, null), output, pixels)

@@ -54,4 +54,19 @@ class RegionOptionsTest {
         assertEquals(ExitCodes.INVALID_DOMAIN, outcome.code)
         assertTrue("far" in outcome.err && "1000000.0" in outcome.err) { outcome.err }
     }
+
+    @Test
+    fun `a project says the order of its elements, and the command line may say another`() {
+        val project = folder.resolve("disc.trigrid.json")
+        project.writeText(
+            """{"format": "trigrid", "version": 2, "order": 2, "path": [{"type": "circle", "firstPoint": [1, 0], "centre": [0, 0], "spacing": 0.3}]}""",
+        )
+        assertEquals(ExitCodes.DONE, Outcome.of("mesh", project, "-o", output).code)
+        assertEquals(2, MeshFormats.readEither(output).order)
+        assertEquals(ExitCodes.DONE, Outcome.of("mesh", project, "-o", output, "--order", "1").code)
+        assertEquals(1, MeshFormats.readEither(output).order)
+        val refused = Outcome.of("mesh", project, "-o", folder.resolve("disc.su2"))
+        assertEquals(ExitCodes.FILE_TROUBLE, refused.code)
+        assertTrue("su2" in refused.err) { refused.err }
+    }
 }

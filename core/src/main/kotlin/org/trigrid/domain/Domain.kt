@@ -142,15 +142,10 @@ public class Domain internal constructor(
     /**
      * The same domain with lines and points embedded, and regions told. A hole in which the place of a region lies is filled.
      * Parts without such a place keep the region they have.
-     *
-     * @throws IllegalArgumentException if a region has the name of one of this domain's and is another.
+     * A region of the name of one of this domain takes its place with its material and largest size.
      */
     public fun with(inner: InnerParts): Domain {
         if (inner.isEmpty()) return this
-        for (marker in inner.markers) {
-            val isNew = regions.all { it.name != marker.region.name || it == marker.region }
-            require(isNew) { "there is another region called \"${marker.region.name}\"" }
-        }
         return withLinesAndPoints(inner.lines, inner.points).withRegions(inner.markers)
     }
 

@@ -164,11 +164,7 @@ public class DomainBuilder internal constructor() {
         if (domain.regions.size > 1) for (marker in RegionPoints.of(domain)) region(marker.x, marker.y, marker.region)
     }
 
-    /**
-     * The domain; [assemble] also tells which loops were turned. The builder may go on and build again.
-     *
-     * @throws IllegalArgumentException if a region has the name of the base region and is another.
-     */
+    /** The domain; [assemble] also tells which loops were turned. The builder may go on and build again. */
     public fun build(): Domain = assemble().domain
 
     /** The domain, and what became of each loop added. */
@@ -185,7 +181,6 @@ public class DomainBuilder internal constructor() {
         for (line in embeddedLines) {
             for (i in line.segmentTags.indices) assembly.embed(line.nodes[i], line.nodes[i + 1], line.segmentTags[i])
         }
-        requireNew(base)
         val points = DomainPoints(pointNodes.toArray(), pointTags.toArray())
         val domain = assembly.toDomain(tags.keys.toList(), points, { it }) { DomainRegions.single(base) }
         return DomainAssembly(domain.withRegions(markers, outlines), roles, reversed, nesting.parents())

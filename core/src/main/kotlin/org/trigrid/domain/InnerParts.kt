@@ -1,5 +1,7 @@
 package org.trigrid.domain
 
+import java.io.Serializable
+
 /**
  * What lies inside a domain beside its loops: lines and points that the mesh keeps as edges and nodes, and places that tell
  * which region the part round them belongs to. For [Domain.with]. Immutable: the `with` functions return changed copies.
@@ -8,7 +10,7 @@ public class InnerParts private constructor(
     internal val lines: List<InnerLine>,
     internal val points: List<InnerPoint>,
     internal val markers: List<RegionMarker>,
-) {
+) : Serializable {
     /** Lines, open and closed ones. */
     @get:JvmName("lineCount")
     public val lineCount: Int get() = lines.size
@@ -96,6 +98,8 @@ public class InnerParts private constructor(
         other.markers.fold(InnerParts(lines + other.lines, points + other.points, markers)) { all, m -> all.withRegion(m.region, m.x, m.y) }
 
     public companion object {
+        private const val serialVersionUID = 1L
+
         /** Nothing. */
         @JvmField
         public val NONE: InnerParts = InnerParts(emptyList(), emptyList(), emptyList())
@@ -116,10 +120,22 @@ public class InnerParts private constructor(
 }
 
 /** A line inside a domain. */
-internal class InnerLine(val xy: DoubleArray, val tag: String, val isClosed: Boolean)
+internal class InnerLine(val xy: DoubleArray, val tag: String, val isClosed: Boolean) : Serializable {
+    private companion object {
+        private const val serialVersionUID = 1L
+    }
+}
 
 /** A point inside a domain. */
-internal class InnerPoint(val x: Double, val y: Double, val tag: String)
+internal class InnerPoint(val x: Double, val y: Double, val tag: String) : Serializable {
+    private companion object {
+        private const val serialVersionUID = 1L
+    }
+}
 
 /** A place that tells to which region the part of the domain round it belongs. */
-internal class RegionMarker(val x: Double, val y: Double, val region: Region)
+internal class RegionMarker(val x: Double, val y: Double, val region: Region) : Serializable {
+    private companion object {
+        private const val serialVersionUID = 1L
+    }
+}

@@ -1,5 +1,7 @@
 package org.trigrid.domain
 
+import java.io.Serializable
+
 /**
  * A part of a domain with a name and a material of its own: a physical surface of Gmsh, a block label of FEMM, a region of
  * Triangle. Immutable: the `with` functions return changed copies.
@@ -10,7 +12,7 @@ public class Region private constructor(
     @get:JvmName("material") public val material: Int,
     /** Largest size asked of an edge inside the region, in the domain's unit; infinity for none. */
     @get:JvmName("maxSize") public val maxSize: Double,
-) {
+) : Serializable {
     /** With another name. */
     public fun withName(value: String): Region = Region(value, material, maxSize)
 
@@ -34,6 +36,8 @@ public class Region private constructor(
     override fun toString(): String = name
 
     public companion object {
+        private const val serialVersionUID = 1L
+
         /** The name of the region where none is given, `domain`. */
         public const val DEFAULT_NAME: String = "domain"
 

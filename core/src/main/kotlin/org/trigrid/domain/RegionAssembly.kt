@@ -66,6 +66,9 @@ private class RegionAssembly(
     private val faults = ArrayList<Fault>()
 
     init {
+        // What is said of a region of the domain now holds for all of it.
+        val said = (markers.map { it.region } + outlines.map { it.region }).associateBy { it.name }
+        for (number in regions.indices) said[regions[number].name]?.let { regions[number] = it }
         for ((number, region) in regions.withIndex()) numbers.putIfAbsent(region, number)
     }
 

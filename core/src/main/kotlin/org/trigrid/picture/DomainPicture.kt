@@ -1,19 +1,24 @@
 package org.trigrid.picture
 
 import org.trigrid.domain.Domain
+import org.trigrid.domain.parts
 
 /** Draws a domain: its material, its segments coloured by group, its nodes as small donuts. */
 internal class DomainPicture(private val domain: Domain, private val options: PictureOptions) {
     private val view = View(domain.xy, options.size.toDouble(), MARGIN)
+    private val regions = if (domain.regions.size == 1) null else RegionLegend(domain.regions, options)
     private val usedTags = domain.tags.indices.filter { it in domain.segmentTags }
 
     fun draw(): Scene {
         val drawn = view.width + 2 * MARGIN
         val showTags = usedTags.size > 1
         val legendRows = minOf(usedTags.size, MAX_ROWS)
-        val height = maxOf(view.height + 2 * MARGIN, if (showTags) legendRows * ROW + 2 * MARGIN else 0.0)
-        val scene = Scene(if (showTags) drawn + legendWidth() else drawn, height)
-        scene.add(Area(Palette.MATERIAL, walks()))
+        val tagsHeight = if (showTags) legendRows * ROW else 0.0
+        val regionsTop = if (showTags) MARGIN + tagsHeight + ROW / 2 else MARGIN
+        val legendHeight = if (regions == null) tagsHeight else regionsTop - MARGIN + regions.height
+        val height = maxOf(view.height + 2 * MARGIN, if (legendHeight > 0) legendHeight + 2 * MARGIN else 0.0)
+        val scene = Scene(drawn + maxOf(if (showTags) legendWidth() else 0.0, regions?.width ?: 0.0), height)
+        drawMaterial(scene)
         drawSegments(scene, showTags)
         val donuts = donuts()
         if (options.nodes ?: true) scene.add(Donuts(Palette.NODE, donuts))
@@ -27,7 +32,21 @@ internal class DomainPicture(private val domain: Domain, private val options: Pi
             scene.add(Labels(Palette.INK, size, false, NodeLabels.place(layout, size, donuts, options.firstNumber)))
         }
         if (showTags) drawLegend(scene, drawn)
+        regions?.draw(scene, drawn, regionsTop)
         return scene
+    }
+
+    private fun drawMaterial(scene: Scene) {
+        if (regions == null) {
+            scene.add(Area(Palette.MATERIAL, walks()))
+            return
+        }
+        for ((region, parts) in domain.parts().groupBy { it.region }.toSortedMap()) {
+            val walks = parts.flatMap { it.boundaries }.map { nodes ->
+                DoubleArray(2 * nodes.size) { if (it % 2 == 0) x(nodes[it / 2]) else y(nodes[it / 2]) }
+            }
+            scene.add(Area(regions.colourOf(region), walks))
+        }
     }
 
     private fun drawSegments(scene: Scene, showTags: Boolean) {

@@ -12,6 +12,8 @@ public class DomainInput internal constructor(
     @get:JvmName("name") public val name: String,
     @get:JvmName("domain") public val domain: Domain,
     @get:JvmName("options") public val options: MeshOptions,
+    /** Of the elements, as the file asks for it: 1 for three nodes an element, 2 for six. */
+    @get:JvmName("order") public val order: Int,
     private val path: Path,
 ) {
     /**
@@ -20,7 +22,7 @@ public class DomainInput internal constructor(
      */
     public fun middles(): EdgeMiddles = ShapeMiddles(path)
 
-    internal fun with(inner: InnerParts): DomainInput = if (inner.isEmpty()) this else DomainInput(name, domain.with(inner), options, path)
+    internal fun with(inner: InnerParts): DomainInput = if (inner.isEmpty()) this else DomainInput(name, domain.with(inner), options, order, path)
 
     override fun toString(): String = "$name (${domain.nodeCount} nodes)"
 }

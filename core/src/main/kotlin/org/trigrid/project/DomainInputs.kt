@@ -22,7 +22,6 @@ public object DomainInputs {
      *
      * @throws org.trigrid.diagnostics.FileFormatException if the text is not what its format asks for.
      * @throws org.trigrid.diagnostics.InvalidShapeException if a shape cannot be exploded with the spacing.
-     * @throws IllegalArgumentException if two regions of one name differ.
      * @throws IOException if the file cannot be read.
      */
     @JvmStatic
@@ -42,13 +41,13 @@ public object DomainInputs {
         if (options.hasSpacing()) asked.path(respaced(given.path, options))
         val project = asked.build()
         val name = file.fileName.toString().dropLast(PROJECT_ENDING.length)
-        return DomainInput(name, project.toDomain(), project.options, project.path)
+        return DomainInput(name, project.toDomain(), project.options, project.order, project.path)
     }
 
     private fun fromFormats(file: Path, options: InputOptions): List<DomainInput> {
         val read = DomainFormats.read(file, options.division)
         val domains = if (options.join) listOf(NamedDomain(DomainFormats.baseName(file), joined(read))) else read
-        return domains.map { DomainInput(it.name, it.domain, MeshOptions.DEFAULT, ShapePath.EMPTY) }
+        return domains.map { DomainInput(it.name, it.domain, MeshOptions.DEFAULT, 1, ShapePath.EMPTY) }
     }
 
     /** One domain of all, each a region called after it; of regions that a file has within a domain the names stay. */

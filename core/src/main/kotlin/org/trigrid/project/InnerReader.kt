@@ -10,7 +10,8 @@ internal object InnerReader {
     fun read(fields: JsonFields, builder: Project.Builder) {
         var inner = InnerParts.NONE
         if (fields.has("regions")) {
-            for (item in fields.items("regions")) inner = region(JsonFields(item, "a region"), inner, builder)
+            val names = HashSet<String>()
+            for (item in fields.items("regions")) inner = region(JsonFields(item, "a region"), names, inner, builder)
         }
         if (fields.has("lines")) {
             for (item in fields.items("lines")) inner = line(JsonFields(item, "a line"), inner)
@@ -26,8 +27,9 @@ internal object InnerReader {
         builder.inner(inner)
     }
 
-    private fun region(fields: JsonFields, inner: InnerParts, builder: Project.Builder): InnerParts = checked(fields) {
+    private fun region(fields: JsonFields, names: MutableSet<String>, inner: InnerParts, builder: Project.Builder): InnerParts = checked(fields) {
         var region = Region.of(fields.string("name"))
+        require(names.add(region.name)) { "there is another region called \"${region.name}\"" }
         if (fields.has("material")) region = region.withMaterial(fields.whole("material"))
         if (fields.has("maxSize")) region = region.withMaxSize(fields.number("maxSize"))
         val places = if (fields.has("at")) fields.points("at") else emptyList()

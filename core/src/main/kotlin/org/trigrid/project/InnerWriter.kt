@@ -15,7 +15,8 @@ internal object InnerWriter {
         val inner = project.inner
         val own = project.region
         val entries = ArrayList<kotlinx.serialization.json.JsonObject>()
-        if (own != Region.of(own.name)) entries.add(buildJsonObject { region(own) })
+        val isToldWithPlaces = (0 until inner.markerCount).any { inner.markerRegion(it) == own }
+        if (own != Region.of(own.name) && !isToldWithPlaces) entries.add(buildJsonObject { region(own) })
         for ((region, markers) in (0 until inner.markerCount).groupBy { inner.markerRegion(it) }) {
             entries.add(buildJsonObject {
                 region(region)

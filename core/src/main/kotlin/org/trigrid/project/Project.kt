@@ -27,6 +27,10 @@ public class Project private constructor(builder: Builder) {
     @get:JvmName("options")
     public val options: MeshOptions = builder.options
 
+    /** Order of the elements: 1 for three nodes an element, 2 for six. Default 1. */
+    @get:JvmName("order")
+    public val order: Int = builder.order
+
     /** Settings that shapes have unless they say otherwise. */
     @get:JvmName("defaults")
     public val defaults: ShapeDefaults = builder.defaults
@@ -59,7 +63,6 @@ public class Project private constructor(builder: Builder) {
      * The domain that path and loops bound, with what lies inside of it. A loop with the place of a region in it is no hole.
      *
      * @throws org.trigrid.diagnostics.InvalidDomainException if a walk of the path is not closed.
-     * @throws IllegalArgumentException if two regions of one name differ.
      */
     public fun toDomain(): Domain = outline().make(keepsConnectors, regionName).withBase(region).with(inner)
 
@@ -107,7 +110,7 @@ public class Project private constructor(builder: Builder) {
     }
 
     /** A builder that starts from this project. */
-    public fun toBuilder(): Builder = Builder().path(path).loops(loops).options(options).defaults(defaults)
+    public fun toBuilder(): Builder = Builder().path(path).loops(loops).options(options).order(order).defaults(defaults)
         .region(region).inner(inner).keepConnectors(keepsConnectors).background(background).colours(colours)
 
     /** Collects the parts of a project; the same builder may build several times. */
@@ -115,6 +118,7 @@ public class Project private constructor(builder: Builder) {
         internal var path = Path.EMPTY
         internal var loops: List<NodeLoop> = emptyList()
         internal var options = MeshOptions.DEFAULT
+        internal var order = 1
         internal var defaults = ShapeDefaults.STANDARD
         internal var region = Region.of(Region.DEFAULT_NAME)
         internal var inner = InnerParts.NONE
@@ -130,6 +134,16 @@ public class Project private constructor(builder: Builder) {
 
         /** Sets [Project.options]. */
         public fun options(value: MeshOptions): Builder = apply { options = value }
+
+        /**
+         * Sets [Project.order].
+         *
+         * @throws IllegalArgumentException unless 1 or 2.
+         */
+        public fun order(value: Int): Builder = apply {
+            require(value in 1..2) { "the order of elements must be 1 or 2, not $value" }
+            order = value
+        }
 
         /** Sets [Project.defaults]. */
         public fun defaults(value: ShapeDefaults): Builder = apply { defaults = value }

@@ -36,6 +36,7 @@ internal object ProjectReader {
         builder.keepConnectors(fields.choice("connectors", Connectors.entries, Connectors.DROP) == Connectors.KEEP)
         if (fields.has("defaults")) builder.defaults(defaults(fields.any("defaults")))
         if (fields.has("mesh")) builder.options(options(fields.any("mesh")))
+        if (fields.has("order")) checked(fields) { builder.order(fields.whole("order")) }
         if (fields.has("path")) builder.path(path(fields.items("path"), builder.defaults))
         if (fields.has("loops")) builder.loops(fields.items("loops").map { loop(it) })
         InnerReader.read(fields, builder)

@@ -38,11 +38,12 @@ internal class ProjectWriter(private val project: Project) {
     fun write(): JsonObject = buildJsonObject {
         put("format", ProjectReader.FORMAT)
         val regions = InnerWriter.regions(project)
-        put("version", if (project.inner.isEmpty() && regions.isEmpty()) FIRST_VERSION else ProjectFile.VERSION)
+        put("version", if (project.inner.isEmpty() && regions.isEmpty() && project.order == 1) FIRST_VERSION else ProjectFile.VERSION)
         put("region", project.regionName)
         put("connectors", JsonFields.word(if (project.keepsConnectors) Connectors.KEEP else Connectors.DROP))
         put("defaults", defaults(project.defaults))
         put("mesh", options(project.options))
+        if (project.order != 1) put("order", project.order)
         put("path", JsonArray(project.path.steps.map { step(it) }))
         if (project.loops.isNotEmpty()) put("loops", JsonArray(project.loops.map { loop(it) }))
         if (regions.isNotEmpty()) put("regions", regions)
@@ -218,7 +219,7 @@ internal class ProjectWriter(private val project: Project) {
     }
 
     companion object {
-        /** Without regions, lines and points a file says nothing that programs of this version do not know. */
+        /** Without regions, lines, points and an order a file says nothing that programs of this version do not know. */
         private const val FIRST_VERSION = 1
 
         fun points(points: List<Point2>) = JsonArray(points.map { point(it) })

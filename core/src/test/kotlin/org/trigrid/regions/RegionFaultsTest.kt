@@ -9,6 +9,7 @@ import org.trigrid.diagnostics.InvalidDomainException
 import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainBuilder
 import org.trigrid.domain.DomainCheck
+import org.trigrid.domain.InnerParts
 import org.trigrid.domain.Region
 import org.trigrid.mesh.MeshCheck
 
@@ -65,7 +66,12 @@ class RegionFaultsTest {
     fun `regions of one name must be one`() {
         val builder = plate().region(0.5, 0.5, A)
         assertThrows(IllegalArgumentException::class.java) { builder.region(0.6, 0.6, A.withMaxSize(0.1)) }
-        assertThrows(IllegalArgumentException::class.java) { plate().regionName("A").region(0.5, 0.5, A.withMaterial(3)).build() }
+        assertThrows(IllegalArgumentException::class.java) { InnerParts.NONE.withRegion(A, 0.5, 0.5).withRegion(A.withMaterial(2), 0.1, 0.1) }
+        val other = plate().regionName("A").build().with(InnerParts.NONE.withRegion(A.withMaterial(3), 0.5, 0.5))
+        assertEquals(emptyList<Any>(), DomainCheck.check(other))
+        assertEquals(listOf(A.withMaterial(3)), other.regions)
+        val outlined = plate().regionName("A").region(square(0.2, 0.2, 0.3), A.withMaterial(3)).build()
+        assertEquals(listOf(A.withMaterial(3)), outlined.regions)
         assertThrows(IllegalArgumentException::class.java) { A.withMaterial(-1) }
         assertThrows(IllegalArgumentException::class.java) { A.withMaxSize(Double.NaN) }
     }

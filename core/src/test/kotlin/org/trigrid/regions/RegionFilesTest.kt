@@ -2,10 +2,12 @@ package org.trigrid.regions
 
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.trigrid.MeshGenerator
+import org.trigrid.diagnostics.FileFormatException
 import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
 import org.trigrid.domain.InnerParts
@@ -97,6 +99,9 @@ class RegionFilesTest {
         assertTrue(back.inner.isClosed(1))
         assertEquals("probe", back.inner.pointTag(0))
         assertTrue("\"version\": 1" in ProjectFile.format(Project.builder().build()))
+        val quadratic = ProjectFile.format(Project.builder().order(2).build())
+        assertTrue("\"version\": 2" in quadratic && ProjectFile.parse(quadratic, "q").order == 2) { quadratic }
+        assertThrows(FileFormatException::class.java) { ProjectFile.parse(quadratic.replace("\"order\": 2", "\"order\": 3"), "q") }
     }
 
     @Test

@@ -3,7 +3,9 @@ package org.trigrid.reliability
 import org.trigrid.MeshGenerator
 import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
+import org.trigrid.domain.InnerParts
 import org.trigrid.domain.Path
+import org.trigrid.domain.Region
 import org.trigrid.geometry.Point2
 import org.trigrid.io.DomainFormat
 import org.trigrid.io.DomainText
@@ -37,7 +39,7 @@ internal class FileKind(val name: String, val samples: List<String>, private val
 
     companion object {
         fun all(): List<FileKind> = listOf(
-            FileKind("project", listOf(project())) { text ->
+            FileKind("project", listOf(project(), regions())) { text ->
                 // What a path or a domain refuses is told by TriGrid's own exceptions, after the file was read.
                 try {
                     DomainCheck.check(ProjectFile.parse(text, "file").toDomain())
@@ -47,7 +49,7 @@ internal class FileKind(val name: String, val samples: List<String>, private val
             },
             FileKind("geojson", listOf(GEOJSON, LOOPS)) { text -> GeoJsonReader.read(text, "file", "base").forEach { DomainCheck.check(it.domain) } },
             FileKind("wkt", listOf(WKT)) { text -> WktReader.read(text, "file", "base").forEach { DomainCheck.check(it.domain) } },
-            FileKind("poly", listOf(POLY)) { text -> PolyReader.read(FilePath.of("none.poly"), text).forEach { DomainCheck.check(it.domain) } },
+            FileKind("poly", listOf(POLY, POLY + "2\n1 1 0.5 2 -1\n2 3.5 3.5 0.5 0.01\n")) { text -> PolyReader.read(FilePath.of("none.poly"), text).forEach { DomainCheck.check(it.domain) } },
             FileKind("msh 2.2", listOf(mesh(MeshFormat.MSH_22), quadratic(MeshFormat.MSH_22))) { text -> MshReader.read(text.toByteArray(), "file") },
             FileKind("msh 4.1", listOf(mesh(MeshFormat.MSH_41), quadratic(MeshFormat.MSH_41))) { text -> MshReader.read(text.toByteArray(), "file") },
             FileKind("msh 2.2 binary", listOf(mesh(MeshFormat.MSH_22_BINARY), quadratic(MeshFormat.MSH_22_BINARY))) { text -> MshReader.read(bytes(text), "file") },
@@ -73,9 +75,17 @@ internal class FileKind(val name: String, val samples: List<String>, private val
             return ProjectFile.format(Project.builder().path(path.moveNode(2, 1.1, -0.1).deleteNode(5)).build())
         }
 
+        private fun regions(): String {
+            val path = Path.of(Rectangle(0.0, 0.0, 4.0, 4.0, 1.0)).newLoop().append(Rectangle(1.0, 1.0, 2.0, 2.0, 0.5))
+            val inner = InnerParts.NONE.withRegion(Region.of("copper").withMaterial(2).withMaxSize(0.25), 1.5, 1.5)
+                .withLine("cut", 3.0, 1.0, 3.0, 2.0).withLoop("ring", 2.5, 2.5, 3.5, 2.5, 3.0, 3.5).withPoint("probe", 0.5, 3.0)
+            return ProjectFile.format(Project.builder().path(path).inner(inner).region(Region.of("iron").withMaterial(1)).build())
+        }
+
         private fun square(): TriMesh {
             val domain = Domain.builder().outer(doubleArrayOf(0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0), "rim")
-                .embed(doubleArrayOf(0.2, 0.2, 0.4, 0.2), "line").build()
+                .embed(doubleArrayOf(0.2, 0.2, 0.4, 0.2), "line").embedLoop(doubleArrayOf(0.5, 0.5, 0.8, 0.5, 0.6, 0.8), "ring")
+                .region(0.65, 0.6, Region.of("inner")).embedPoint(0.2, 0.7, "probe").build()
             return MeshGenerator.generate(domain).mesh
         }
 

@@ -7,6 +7,7 @@ import org.trigrid.cli.Failures
 import org.trigrid.cli.Figures
 import org.trigrid.cli.MeshFigures
 import org.trigrid.cli.NumberedFiles
+import org.trigrid.cli.OrderArguments
 import org.trigrid.cli.OrderedMesh
 import org.trigrid.cli.OutputPlace
 import org.trigrid.cli.ReportJson
@@ -32,8 +33,7 @@ import java.util.concurrent.TimeUnit
 internal class BatchPlan(
     val inputOptions: InputOptions,
     val format: MeshFormat,
-    /** Of the elements. */
-    val order: Int,
+    val ordering: OrderArguments,
     val jobs: Int,
     /** What is left as it is. */
     val made: MadeMeshes,
@@ -49,7 +49,7 @@ internal class BatchRun(
     private val log: BatchLog,
 ) {
     private val progress = BatchProgress(session.terminal, files.size)
-    private val fingerprint = Fingerprint(plan.inputOptions, plan.format, plan.order)
+    private val fingerprint = Fingerprint(plan.inputOptions, plan.format, plan.ordering.given ?: 0)
     private val inputs = files.map { OutputPlace.placeOf(it.input) }.toSet()
     private val codes = ConcurrentHashMap.newKeySet<Int>()
 
@@ -100,8 +100,9 @@ internal class BatchRun(
         val clock = RunClock()
         attempt(file, given.name, share) {
             checkNoInput(output)
+            val order = plan.ordering.of(given, plan.format)
             val result = MeshGenerator.generate(given.domain, options) { _, _ -> !session.cancellation.isRequested }
-            val ordered = clock.ordering { OrderedMesh.of(result.mesh, plan.order, options.numbering, given::middles) }
+            val ordered = clock.ordering { OrderedMesh.of(result.mesh, order, options.numbering, given::middles) }
             clock.writing {
                 output.toAbsolutePath().parent?.let { Files.createDirectories(it) }
                 ordered.write(output, plan.format)

@@ -15,6 +15,8 @@ import kotlin.io.path.name
 /**
  * What a mesh is made of: the input's bytes, all options, the format, the order and the version of TriGrid, as one short word.
  * Meshes of one word are the same bytes.
+ *
+ * @param order asked for, 0 for that of the file.
  */
 internal class Fingerprint(private val inputOptions: InputOptions, private val format: MeshFormat, private val order: Int) {
     /** The word for a domain of [input] with the [options] of the domain. */
@@ -26,6 +28,8 @@ internal class Fingerprint(private val inputOptions: InputOptions, private val f
             it.write(input.bytes)
             it.writeObject(inputOptions.division)
             it.writeBoolean(inputOptions.keepConnectors)
+            it.writeObject(inputOptions.inner)
+            it.writeBoolean(inputOptions.join)
             it.writeObject(format.name)
             it.writeInt(order)
             // A limit only says whether there is a mesh.
