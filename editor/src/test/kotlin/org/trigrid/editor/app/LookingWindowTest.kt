@@ -121,6 +121,8 @@ internal class LookingWindowTest : WindowFixture() {
         val text = Files.readString(folder.resolve("a.msh"))
         assertTrue("\"rim\"" in text && "\"steel\"" in text)
         assertEquals(onFx { window.session.mesh!!.mesh.elementCount }, MeshFormats.read(folder.resolve("a.msh")).elementCount)
+        assertTrue(onFx { window.export.writeMesh(folder.resolve("six.msh"), MeshFormat.MSH_22, 2) })
+        assertTrue(Files.readAllLines(folder.resolve("six.msh")).any { Regex("\\d+ 9 2 .*").matches(it) })
         assertTrue(onFx { window.export.writeSvg(folder.resolve("a.svg")) })
         assertTrue(Files.readString(folder.resolve("a.svg")).contains("<svg"))
         assertTrue(onFx { window.export.writePng(folder.resolve("a.png")) })
