@@ -96,12 +96,9 @@ public class Path private constructor(internal val steps: List<PathStep>) {
     public fun replaceShape(shape: Int, by: Shape): Path {
         val index = indexOf(shape)
         val old = appended[shape]
-        if (old is ConnectStep) {
-            require(by is Line) { "a connector is a line" }
-            return Path(PathHistory.withoutEdits(steps, replay, shape, mapOf(index to ConnectStep(by, old.from, old.to, old.isTurned))))
-        }
-        val step = AppendStep(by, old.isConnector)
-        val isOnlyRenamed = by.name != old.shape.name && by == old.shape.withName(by.name)
+        require(old !is ConnectStep || by is Line) { "a connector is a line" }
+        val step = if (old is ConnectStep) ConnectStep(by as Line, old.from, old.to, old.isTurned) else AppendStep(by, old.isConnector)
+        val isOnlyRenamed = by.name != old.shape.name && by == shape(shape).withName(by.name)
         if (isOnlyRenamed) return Path(steps.mapIndexed { i, other -> if (i == index) step else other })
         return Path(PathHistory.withoutEdits(steps, replay, shape, mapOf(index to step)))
     }

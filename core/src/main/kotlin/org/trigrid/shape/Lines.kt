@@ -40,7 +40,7 @@ public class Lines internal constructor(vertices: List<Point2>, traits: Traits) 
     override fun geometry(): List<Any> = vertices
 
     public companion object {
-        private const val KIND = "lines"
+        internal const val KIND = "lines"
 
         /** Lines through the points x0, y0, x1, y1, … */
         @JvmStatic

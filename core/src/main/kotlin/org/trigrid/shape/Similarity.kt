@@ -76,7 +76,7 @@ public class Similarity private constructor(
         if (sin == 0.0 || cos == 0.0) {
             return Rectangle(begin, apply(shape.endCorner), direction(shape.direction), shape.traits)
         }
-        return Lines(shape.corners().dropLast(1).map(::apply) + begin, shape.traits)
+        return Lines(shape.corners().dropLast(1).map(::apply) + begin, shape.traits.kind(Lines.KIND))
     }
 
     private fun ellipse(shape: Ellipse): Ellipse {

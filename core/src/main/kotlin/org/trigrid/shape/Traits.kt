@@ -23,6 +23,9 @@ internal class Traits(
         checkName()
     }
 
+    /** For a shape that became one of another kind. */
+    fun kind(value: String): Traits = Traits(value, spacing, ratio, distribution, rounding, name)
+
     fun spacing(value: Double): Traits = Traits(kind, value, ratio, distribution, rounding, name)
 
     fun ratio(value: Double): Traits = Traits(kind, spacing, value, distribution, rounding, name)

@@ -4,7 +4,10 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test
+import org.trigrid.domain.Path
 import org.trigrid.geometry.Point2
+import org.trigrid.project.Project
+import org.trigrid.project.ProjectFile
 
 class SimilarityTest {
     private val shapes = listOf(
@@ -27,6 +30,16 @@ class SimilarityTest {
         Similarity.reflection(Point2(0.0, 1.0), Point2(3.0, 2.0)),
         Similarity.reflection(Point2(0.0, 1.0), Point2(3.0, 2.0)).then(Similarity.rotation(Point2(0.0, 3.0), 71.0)),
     )
+
+    @Test
+    fun `moved shapes are written to projects and read back`() {
+        for (shape in shapes) {
+            for (similarity in similarities) {
+                val text = ProjectFile.format(Project.of(Path.of(similarity.apply(shape))))
+                assertEquals(text, ProjectFile.format(ProjectFile.parse(text, "moved")), "$shape")
+            }
+        }
+    }
 
     @Test
     fun `the nodes of the moved shape are the moved nodes of the shape`() {

@@ -25,13 +25,14 @@ internal class Dialogs(private val owner: () -> Window?) {
 
     fun askToRecover(name: String): Boolean {
         val recover = ButtonType("Recover", ButtonBar.ButtonData.YES)
-        val discard = ButtonType("Discard", ButtonBar.ButtonData.NO)
+        // No button for Esc, which must not throw the copy away.
+        val discard = ButtonType("Discard", ButtonBar.ButtonData.OTHER)
         val alert = alert(
             Alert.AlertType.CONFIRMATION, "Recover unsaved changes to “$name”?",
             "TriGrid was closed unexpectedly. It kept a copy of what you had not saved.",
         )
         alert.buttonTypes.setAll(recover, discard)
-        return alert.showAndWait().orElse(discard) == recover
+        return alert.showAndWait().orElse(recover) == recover
     }
 
     /** Whether the file may be written over. */

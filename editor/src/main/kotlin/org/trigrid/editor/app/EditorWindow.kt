@@ -235,6 +235,7 @@ internal class EditorWindow(
     override fun toggleProblems() {
         val middle = root.center as BorderPane
         middle.bottom = if (middle.bottom == null) problems else null
+        if (middle.bottom != null) problems.takeFocus() else canvas.requestFocus()
     }
 
     override fun chooseTheme(theme: Theme?) {

@@ -4,13 +4,18 @@ import javafx.scene.SnapshotParameters
 import javafx.scene.image.WritableImage
 import javafx.stage.FileChooser
 import javafx.stage.Window
+import org.trigrid.MeshRework
 import org.trigrid.editor.canvas.DrawingCanvas
 import org.trigrid.editor.meshing.Colouring
+import org.trigrid.editor.meshing.MeshView
 import org.trigrid.editor.session.EditorSession
 import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
+import org.trigrid.mesh.EdgeMiddles
+import org.trigrid.mesh.QuadraticMesh
 import org.trigrid.picture.PictureOptions
 import org.trigrid.picture.Pictures
+import org.trigrid.project.ShapeMiddles
 import java.nio.file.Path
 
 /** Writes meshes and pictures. */
@@ -20,25 +25,37 @@ internal class ExportActions(
     private val canvas: DrawingCanvas,
     private val window: () -> Window?,
 ) {
-    fun mesh() {
-        val mesh = session.mesh ?: return session.say("Make a mesh first, then export it", true)
-        val chooser = files.chooser("Export the mesh")
-        val formats = MeshFormats.all().filter { it.canWrite }
+    /** @param order 1 for elements of three nodes, 2 for elements of six, those in the middles on the true curves. */
+    fun mesh(order: Int = 1) {
+        if (session.mesh == null) return session.say("Make a mesh first, then export it", true)
+        val chooser = files.chooser(if (order == 1) "Export the mesh" else "Export the mesh with six nodes an element")
+        val formats = MeshFormats.all().filter { it.canWrite && it.highestOrder >= order }
         val filters = formats.map { format -> FileChooser.ExtensionFilter(format.title, format.endings.map { "*$it" }) }
         chooser.extensionFilters.addAll(filters)
         chooser.initialFileName = baseName() + formats.first().endings.first()
         val chosen = chooser.showSaveDialog(window())?.toPath() ?: return
         // The chosen kind counts; an ending typed that belongs to another kind counts more.
         val picked = formats.getOrElse(filters.indexOf(chooser.selectedExtensionFilter)) { formats.first() }
-        val format = if (picked.fits(chosen)) picked else MeshFormats.forWriting(chosen) ?: picked
+        val format = if (picked.fits(chosen)) picked else formats.firstOrNull { it.fits(chosen) } ?: picked
         val file = if (format.fits(chosen)) chosen else ended(chosen, format.endings.first())
-        if (files.mayWrite(chosen, file)) writeMesh(file, format)
+        if (files.mayWrite(chosen, file)) writeMesh(file, format, order)
     }
 
     /** @return whether it was written, as of all below. */
-    fun writeMesh(file: Path, format: MeshFormat): Boolean {
+    fun writeMesh(file: Path, format: MeshFormat, order: Int = 1): Boolean {
         val mesh = session.mesh ?: return false
-        return export(file) { MeshFormats.write(mesh.mesh, it, format) }
+        val isWritten = export(file) {
+            if (order == 1) MeshFormats.write(mesh.mesh, it, format) else MeshFormats.write(secondOrder(mesh), it, format)
+        }
+        if (isWritten && !session.isMeshCurrent) {
+            session.say("Wrote ${file.fileName} with the mesh from before the last changes; F5 makes a new one", true)
+        }
+        return isWritten
+    }
+
+    private fun secondOrder(mesh: MeshView): QuadraticMesh {
+        val middles = mesh.document?.let { ShapeMiddles(it.path) } ?: EdgeMiddles.STRAIGHT
+        return MeshRework.secondOrder(mesh.mesh, middles)
     }
 
     fun svg() {

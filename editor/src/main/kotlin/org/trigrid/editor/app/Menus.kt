@@ -44,6 +44,7 @@ internal class Menus(
     }
     val connect = EditorAction("Connect opening", "Shortcut+K", Icons.CONNECT) { edit.connectOpenings() }
     private val exportMesh = EditorAction("Export mesh…", "Shortcut+E", isPossible = { session.mesh != null }) { export.mesh() }
+    private val exportCurved = EditorAction("Export mesh of second order…", "Shortcut+Shift+E", isPossible = { session.mesh != null }) { export.mesh(2) }
     private val matrix = EditorAction("Matrix before and after renumbering", "F6", isPossible = { session.mesh != null }) { window.showMatrix() }
     private val all = ArrayList<EditorAction>()
     private val keyed = LinkedHashMap<String, String>()
@@ -79,7 +80,7 @@ internal class Menus(
         return menu(
             "_File", item(new), item(open), recent, gallery, null, item(save), item(saveAs), null,
             item("Import into drawing…", "Shortcut+I") { window.importFile() },
-            item(exportMesh), item("Export SVG…") { export.svg() }, item("Export PNG of what is shown…") { export.png() }, null,
+            item(exportMesh), item(exportCurved), item("Export SVG…") { export.svg() }, item("Export PNG of what is shown…") { export.png() }, null,
             item("Exit", "Shortcut+Q") { window.exit() },
         )
     }
@@ -144,7 +145,7 @@ internal class Menus(
     private fun meshMenu(): Menu = menu(
         "_Mesh", item(mesh), check("Mesh while editing", "Shift+F5", { session.isLive }) { session.isLive = it },
         item("Cancel") { session.cancelMeshing() }, item("Clear mesh") { session.clearMesh() }, null,
-        item("Play the front", "Shift+F6") { session.playFront() }, item(matrix), null, item(exportMesh),
+        item("Play the front", "Shift+F6") { session.playFront() }, item(matrix), null, item(exportMesh), item(exportCurved),
     )
 
     private fun helpMenu(): Menu = menu("_Help", item("Keys and mouse", "F1") { window.showKeys() }, item("About TriGrid") { window.showAbout() })

@@ -4,6 +4,7 @@ import javafx.scene.canvas.Canvas
 import javafx.scene.control.ChoiceBox
 import javafx.scene.control.Hyperlink
 import javafx.scene.control.Label
+import javafx.scene.input.KeyCode
 import javafx.scene.layout.GridPane
 import javafx.scene.layout.HBox
 import javafx.scene.layout.VBox
@@ -26,6 +27,9 @@ internal class MeshPanel(private val session: EditorSession, private val canvas:
     private val empty = Label("No mesh yet. Draw a closed shape, then press Mesh (F5).")
     private val content = VBox()
 
+    /** The bar whose elements are outlined, or -1. */
+    private var chosen = -1
+
     /** Colour of the histogram's words. */
     var ink: Color = Color.BLACK
         set(value) {
@@ -43,7 +47,19 @@ internal class MeshPanel(private val session: EditorSession, private val canvas:
             val chosen = Colouring.entries.first { it.label == label }
             if (chosen != session.view.colouring) session.view = session.view.copy(colouring = chosen)
         }
-        histogram.setOnMouseClicked { markClass((it.x / HISTOGRAM_WIDTH * CLASSES).toInt().coerceIn(0, CLASSES - 1)) }
+        histogram.id = "histogram"
+        histogram.accessibleText = "Elements by quality; Left and Right choose a bar"
+        histogram.isFocusTraversable = true
+        histogram.focusedProperty().addListener { _, _, _ -> refresh() }
+        histogram.setOnMouseClicked {
+            histogram.requestFocus()
+            markClass((it.x / HISTOGRAM_WIDTH * CLASSES).toInt().coerceIn(0, CLASSES - 1))
+        }
+        histogram.setOnKeyPressed {
+            val by = if (it.code == KeyCode.LEFT) -1 else if (it.code == KeyCode.RIGHT) 1 else return@setOnKeyPressed
+            markClass(((if (chosen < 0) CLASSES - 1 - by else chosen) + by).coerceIn(0, CLASSES - 1))
+            it.consume()
+        }
         empty.isWrapText = true
         empty.styleClass.add("inspector-note")
         figures.styleClass.add("figures")
@@ -55,7 +71,10 @@ internal class MeshPanel(private val session: EditorSession, private val canvas:
         content.styleClass.add("mesh-panel-content")
         children.addAll(empty, content)
         session.listen {
-            if (it == Change.MESH) refresh()
+            if (it == Change.MESH) {
+                chosen = -1
+                refresh()
+            }
             if (it == Change.VIEW) colouring.value = session.view.colouring.label
         }
         refresh()
@@ -103,6 +122,11 @@ internal class MeshPanel(private val session: EditorSession, private val canvas:
             val height = if (count == 0) 0.0 else Math.max(2.0, room * count / most)
             g.fill = Color.rgb(colour shr 16 and 255, colour shr 8 and 255, colour and 255)
             g.fillRect(i * cell + 1, HEAD + room - height, cell - 2, height)
+            if (i == chosen) {
+                g.stroke = ink
+                g.lineWidth = if (histogram.isFocused) 2.0 else 1.0
+                g.strokeRect(i * cell + 1, HEAD, cell - 2, room)
+            }
             g.fill = ink
             if (count > 0) g.fillText(short(count), (i + HALF) * cell, HEAD + room - height - 3)
             if (i % 2 == 0) g.fillText(Figures.plain(i / CLASSES.toDouble(), 2), i * cell + (if (i == 0) 4 else 0), HISTOGRAM_HEIGHT - 4)
@@ -125,6 +149,8 @@ internal class MeshPanel(private val session: EditorSession, private val canvas:
             if (found.size == MOST_MARKED) break
         }
         canvas.markedElements = found
+        chosen = index
+        refresh()
         session.say("${Figures.count(found.size)} elements with a quality from ${index / 10.0} to ${(index + 1) / 10.0}")
     }
 

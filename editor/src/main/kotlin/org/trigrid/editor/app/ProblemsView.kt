@@ -4,6 +4,7 @@ import javafx.scene.control.Button
 import javafx.scene.control.Label
 import javafx.scene.control.ListCell
 import javafx.scene.control.ListView
+import javafx.scene.control.Tooltip
 import javafx.scene.input.KeyCode
 import javafx.scene.layout.BorderPane
 import javafx.scene.layout.HBox
@@ -27,7 +28,7 @@ internal class ProblemsView(private val session: EditorSession, private val canv
         list.placeholder = empty
         list.setCellFactory { ProblemCell() }
         list.setOnMouseClicked { go() }
-        list.setOnKeyPressed { if (it.code == KeyCode.ENTER) go() }
+        list.setOnKeyPressed { if (it.code == KeyCode.ENTER) go() else if (it.code == KeyCode.SPACE) mend() }
         list.prefHeight = HEIGHT
         heading.styleClass.add("section-heading")
         val shut = Button()
@@ -44,9 +45,21 @@ internal class ProblemsView(private val session: EditorSession, private val canv
     }
 
     private fun refresh() {
+        val at = list.selectionModel.selectedIndex
         list.items.setAll(session.problems)
+        if (at >= 0 && list.items.isNotEmpty()) list.selectionModel.select(Math.min(at, list.items.size - 1))
         empty.text = if (session.document.isEmpty) "Nothing is drawn yet." else "No faults: the domain can be meshed."
         heading.text = "Problems (${session.problems.size})"
+    }
+
+    /** Brings the keys to the list: Up and Down choose, Enter goes there, Space mends. */
+    fun takeFocus() {
+        if (list.selectionModel.isEmpty) list.selectionModel.selectFirst()
+        list.requestFocus()
+    }
+
+    private fun mend() {
+        list.selectionModel.selectedItem?.fix?.let { session.execute(it) }
     }
 
     private fun go() {
@@ -87,6 +100,7 @@ internal class ProblemsView(private val session: EditorSession, private val canv
             val command = item.fix
             fix.isVisible = command != null
             fix.isManaged = command != null
+            fix.tooltip = command?.let { Tooltip("Mends it, as a step that can be undone  (Space)") }
             fix.text = command?.name?.replaceFirstChar { it.uppercase() }.orEmpty()
             fix.setOnAction { if (command != null) session.execute(command) }
             graphic = box

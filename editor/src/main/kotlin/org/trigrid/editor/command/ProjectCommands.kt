@@ -38,6 +38,7 @@ internal object ProjectCommands {
 
     /** Gives the boundary group [from] another name, wherever it occurs. */
     fun renameGroup(from: String, to: String): EditCommand = EditCommand.of("rename group") { state ->
+        if (from == to) return@of state
         val document = state.document
         var path = document.path
         for (shape in 0 until path.shapeCount) {
@@ -48,7 +49,7 @@ internal object ProjectCommands {
             if (from !in loop.segmentTags) loop else NodeLoop(loop.coordinates(), loop.segmentTags.map { if (it == from) to else it })
         }
         val colours = recoloured(document.project.colours, from, to)
-        if (from == to) state else EditorState(document.with { path(path).loops(loops).colours(colours) }, state.selection)
+        EditorState(document.with { path(path).loops(loops).colours(colours) }, state.selection)
     }
 
     /** Gives a boundary group or the region a colour, `#rrggbb`; null for the one it has by itself. */

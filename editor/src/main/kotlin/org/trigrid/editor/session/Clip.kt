@@ -24,8 +24,11 @@ internal class Clip(val shapes: List<Shape>, val loops: List<NodeLoop>) {
         Clip(shapes.map { similarity.apply(it) }, loops.map { TransformSelection.moved(it, similarity) })
 
     companion object {
-        fun of(document: EditorDocument, selection: Selection): Clip =
-            Clip(selection.shapes.sorted().map { document.path.shape(it) }, selection.loops.sorted().map { document.loops[it] })
+        /** What is picked; without connectors, which elsewhere would be lines of the boundary, and openings do without. */
+        fun of(document: EditorDocument, selection: Selection): Clip = Clip(
+            selection.shapes.sorted().filter { !document.path.isConnector(it) }.map { document.path.shape(it) },
+            selection.loops.sorted().map { document.loops[it] },
+        )
 
         /** What [text] holds: a project, or a list of points; null if it is neither. */
         fun parse(text: String): Clip? {

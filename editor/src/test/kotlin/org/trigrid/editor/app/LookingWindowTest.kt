@@ -121,6 +121,8 @@ internal class LookingWindowTest : WindowFixture() {
         val text = Files.readString(folder.resolve("a.msh"))
         assertTrue("\"rim\"" in text && "\"steel\"" in text)
         assertEquals(onFx { window.session.mesh!!.mesh.elementCount }, MeshFormats.read(folder.resolve("a.msh")).elementCount)
+        assertTrue(onFx { window.export.writeMesh(folder.resolve("six.msh"), MeshFormat.MSH_22, 2) })
+        assertTrue(Files.readAllLines(folder.resolve("six.msh")).any { Regex("\\d+ 9 2 .*").matches(it) })
         assertTrue(onFx { window.export.writeSvg(folder.resolve("a.svg")) })
         assertTrue(Files.readString(folder.resolve("a.svg")).contains("<svg"))
         assertTrue(onFx { window.export.writePng(folder.resolve("a.png")) })
@@ -157,5 +159,32 @@ internal class LookingWindowTest : WindowFixture() {
         robot.type(KeyCode.F1)
         WaitForAsyncUtils.waitFor(10, TimeUnit.SECONDS, Callable { robot.lookup(".key-cap").queryAll<Node>().size > 40 })
         robot.clickOn("Close")
+    }
+
+    @Test
+    fun `faults are mended and bars chosen with keys alone`(robot: FxRobot) {
+        show(robot, Box(0.0, 0.0, 12.0, 8.0))
+        robot.type(KeyCode.P)
+        for ((x, y) in listOf(1.0 to 1.0, 9.0 to 1.0, 2.0 to 6.0, 9.0 to 6.0, 1.0 to 1.0)) robot.clickOn(place(x, y))
+        robot.type(KeyCode.V).moveTo(place(11.0, 7.0))
+        WaitForAsyncUtils.waitFor(10, TimeUnit.SECONDS, Callable { onFx { window.session.problems.any { it.fix != null } } })
+        robot.type(KeyCode.F4)
+        val row = onFx { window.session.problems.indexOfFirst { it.fix != null } }
+        repeat(row) { robot.type(KeyCode.DOWN) }
+        robot.type(KeyCode.SPACE)
+        assertEquals("split at the crossing", onFx { window.session.undoName })
+        robot.type(KeyCode.F4)
+        assertTrue(onFx { window.canvas.isFocused })
+
+        onFx { window.session.open(Gallery.OWEN.document(), null) }
+        robot.type(KeyCode.F5)
+        waitForMesh()
+        onFx { (window.stage.scene.lookup(".tab-pane") as TabPane).selectionModel.select(2) }
+        WaitForAsyncUtils.waitForFxEvents()
+        onFx { window.stage.scene.lookup("#histogram").requestFocus() }
+        robot.type(KeyCode.RIGHT)
+        val best = onFx { window.canvas.markedElements.size }
+        robot.type(KeyCode.LEFT)
+        assertTrue(onFx { window.canvas.markedElements.size } in 1 until best)
     }
 }

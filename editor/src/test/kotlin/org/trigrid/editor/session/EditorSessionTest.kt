@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.trigrid.editor.command.AddShapes
+import org.trigrid.editor.command.ConnectOpenings
 import org.trigrid.editor.command.ProjectCommands
 import org.trigrid.editor.command.TransformSelection
 import org.trigrid.editor.document.Selection
@@ -90,6 +91,17 @@ class EditorSessionTest {
         assertEquals(setOf(1), session.selection.shapes)
         assertNull(Clip.parse("no shapes"))
         assertEquals(1, Clip.parse("0 0\n1 0\n0 1")!!.loops.size)
+    }
+
+    @Test
+    fun `a copy goes without connectors, so that it can be meshed`() {
+        session.drawWith(ShapeKind.RECTANGLE, 0.0, 0.0, 6.0, 4.0)
+        session.drawWith(ShapeKind.CIRCLE, 3.0, 2.0, 4.0, 2.0)
+        session.execute(ConnectOpenings(ConnectOpenings.of(session.document, Selection.NONE)))
+        val copy = Clip.of(session.document, Selection.all(session.document)).moved(Similarity.translation(9.0, 0.0))
+        session.execute(AddShapes(copy.shapes, copy.loops, "paste"))
+        assertEquals(emptyList<String>(), session.problems.filter { it.isFault }.map { it.message })
+        assertEquals(4, session.document.project.toDomain().loopCount)
     }
 
     @Test

@@ -3,7 +3,9 @@ package org.trigrid.editor.session
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
+import org.trigrid.diagnostics.TriGridException
 import org.trigrid.editor.command.AddShapes
 import org.trigrid.editor.command.ConnectOpenings
 import org.trigrid.editor.command.DeleteSelection
@@ -16,6 +18,7 @@ import org.trigrid.editor.tool.PointerInput
 import org.trigrid.editor.tool.ShapeKind
 import org.trigrid.geometry.Point2
 import org.trigrid.project.NodeLoop
+import org.trigrid.project.Project
 import org.trigrid.project.ProjectFile
 import org.trigrid.shape.Similarity
 import java.util.Random
@@ -24,34 +27,56 @@ import java.util.Random
 class RandomEditsTest {
     @Test
     fun `whatever is done is undone, redone, saved and read back`() {
-        for (seed in 1L..40L) {
-            val session = newSession()
-            val random = Random(seed)
-            repeat(120) { step ->
-                val before = text(session)
-                try {
-                    if (session.document.nodes.count > MOST_NODES) session.undo() else act(session, random)
-                    assertTrue(session.document.arrows.size >= 0 && session.document.outlines.all { it.stepCount >= 0 })
-                } catch (error: Exception) {
-                    throw AssertionError("seed $seed, step $step, after $before", error)
-                }
-            }
-            repeat(100) { session.tool.backspace() }
-            session.selectTool()
-            val end = text(session)
-            assertEquals(end, ProjectFile.format(ProjectFile.parse(end, "seed $seed")))
-            val texts = ArrayList<String>()
-            while (session.undoName != null) {
-                texts.add(text(session))
-                session.undo()
-            }
-            assertTrue(session.document.isEmpty, "seed $seed")
-            assertFalse(session.isModified)
-            for (wanted in texts.reversed()) {
-                session.redo()
-                assertEquals(wanted, text(session), "seed $seed")
+        for (seed in 1L..FEW) check(seed)
+    }
+
+    @Test
+    @Tag("corpus")
+    fun `whatever is done, many times`() {
+        for (seed in FEW + 1..MANY) check(seed)
+    }
+
+    private fun check(seed: Long) {
+        val session = newSession()
+        session.isLive = seed % LIVE == 0L
+        val random = Random(seed)
+        repeat(STEPS) { step ->
+            val before = text(session)
+            try {
+                if (session.document.nodes.count > MOST_NODES) session.undo() else act(session, random)
+                assertFalse(session.message.startsWith("The mesh could not be made"), session.message)
+                assertTrue(session.document.arrows.size >= 0 && session.document.outlines.all { it.stepCount >= 0 })
+            } catch (error: Exception) {
+                throw AssertionError("seed $seed, step $step, after $before", error)
             }
         }
+        repeat(STEPS) { session.tool.backspace() }
+        session.selectTool()
+        session.isLive = false
+        val end = text(session)
+        assertEquals(end, ProjectFile.format(read(end, seed)))
+        travel(session, seed)
+    }
+
+    /** To the begin and back, by way of the same drawings. */
+    private fun travel(session: EditorSession, seed: Long) {
+        val texts = ArrayList<String>()
+        while (session.undoName != null) {
+            texts.add(text(session))
+            session.undo()
+        }
+        assertTrue(session.document.isEmpty, "seed $seed")
+        assertFalse(session.isModified)
+        for (wanted in texts.reversed()) {
+            session.redo()
+            assertEquals(wanted, text(session), "seed $seed")
+        }
+    }
+
+    private fun read(text: String, seed: Long): Project = try {
+        ProjectFile.parse(text, "seed $seed")
+    } catch (error: TriGridException) {
+        throw AssertionError("what was written cannot be read: $text", error)
     }
 
     private fun text(session: EditorSession): String = ProjectFile.format(session.document.project)
@@ -144,6 +169,12 @@ class RandomEditsTest {
     private fun place(random: Random): Double = if (random.nextInt(3) > 0) random.nextInt(11).toDouble() else 10 * random.nextDouble()
 
     private companion object {
-        const val MOST_NODES = 250
+        const val MOST_NODES = 160
+        const val FEW = 12L
+        const val MANY = 500L
+        const val STEPS = 100
+
+        /** One in so many is meshed at every step. */
+        const val LIVE = 4L
     }
 }
