@@ -52,7 +52,7 @@ internal class EditorWindow(
     private val edit = EditActions(session, canvas, dialogs)
     private val picture = PictureActions(session, canvas, dialogs)
     val export = ExportActions(session, files, canvas) { stage }
-    private val menus = Menus(session, preferences, files, edit, picture, export, this)
+    private val menus = Menus(session, preferences, files, edit, picture, SourceActions(session, dialogs), export, this)
     private val inspector = InspectorView(session)
     private val options = OptionsViewModel(session)
     private val optionFields = FieldsView { field, text -> field.change?.let { commitOption(it, field.value, text) } }

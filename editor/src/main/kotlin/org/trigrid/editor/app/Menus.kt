@@ -20,6 +20,7 @@ internal class Menus(
     private val files: FileActions,
     private val edit: EditActions,
     private val picture: PictureActions,
+    private val sources: SourceActions,
     private val export: ExportActions,
     private val window: WindowActions,
 ) {
@@ -105,6 +106,8 @@ internal class Menus(
             "_Draw", null, item(closeLoop), item(connect),
             item("Go back along connector", "Shortcut+B") { session.execute(ShapeCommands.goBack()) },
             item("Begin new loop", "Shortcut+Shift+N") { session.execute(ShapeCommands.beginLoop()) },
+            item("Size at a point", "Shortcut+Shift+A") { sources.point() },
+            item("Size along a line", "Shortcut+Shift+D") { sources.line() },
             item("Measure", "Shortcut+Shift+M") { edit.measure() },
         )
         menu.items.addAll(0, kinds)

@@ -327,6 +327,7 @@ internal class DrawingCanvas(private val session: EditorSession) : Region() {
         }
         val only = session.selection.onlyShape
         if (only >= 0 && session.tool is SelectTool) overlay.handles(ShapeHandles.of(session.document.path, only))
+        overlay.sources(session.document.project.options.sizeSources)
         overlay.problems(session.problems, emphasised)
         overlay.preview(session.tool.preview)
         if (mesh != null) overlay.legend(settings.colouring, mesh)

@@ -14,6 +14,7 @@ import org.trigrid.editor.tool.Figures
 import org.trigrid.editor.tool.Preview
 import org.trigrid.editor.tool.SnapKind
 import org.trigrid.editor.tool.SnapPoint
+import org.trigrid.spacing.SizeSources
 
 /** Draws what lies over the boundary: the tool's preview, handles, faults, the legend. */
 internal class OverlayPainter(
@@ -49,6 +50,25 @@ internal class OverlayPainter(
             g.lineWidth = 1.6
             g.fillRect(x - HANDLE, y - HANDLE, 2 * HANDLE, 2 * HANDLE)
             g.strokeRect(x - HANDLE, y - HANDLE, 2 * HANDLE, 2 * HANDLE)
+        }
+    }
+
+    /** Places that ask for small elements: a ring of the size asked for, a broken line. */
+    fun sources(sources: SizeSources) {
+        g.stroke = colours.warning
+        g.lineWidth = 1.4
+        for (source in 0 until sources.count) {
+            val place = sources.placeOf(source)
+            val x = view.screenX(place[0])
+            val y = view.screenY(place[1])
+            g.setLineDashes(SOURCE_DASH, SOURCE_DASH)
+            if (place.size > 2) polyline(place)
+            g.setLineDashes()
+            val radius = (sources.sizeOf(source) * view.scale).coerceIn(LEAST_SOURCE, MOST_SOURCE)
+            if (place.size == 2) g.strokeOval(x - radius, y - radius, 2 * radius, 2 * radius)
+            g.fill = colours.warning
+            square(x, y, 2.5)
+            label("size " + Figures.length(sources.sizeOf(source)), x + 9, y - 12, colours.warning)
         }
     }
 
@@ -202,6 +222,9 @@ internal class OverlayPainter(
     companion object {
         private const val HANDLE = 4.0
         private const val DOT = 3.0
+        private const val SOURCE_DASH = 3.0
+        private const val LEAST_SOURCE = 5.0
+        private const val MOST_SOURCE = 40.0
         private const val MOST_NODES = 3000
         private const val MOST_PROBLEMS = 300
         private const val LEGEND_CELL = 30.0

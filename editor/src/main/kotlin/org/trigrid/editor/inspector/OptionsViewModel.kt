@@ -3,6 +3,7 @@ package org.trigrid.editor.inspector
 import org.trigrid.MeshOptions
 import org.trigrid.editor.command.EditCommand
 import org.trigrid.editor.command.ProjectCommands
+import org.trigrid.editor.command.SourceCommands
 import org.trigrid.editor.document.GroupPalette
 import org.trigrid.editor.session.EditorSession
 import org.trigrid.editor.tool.Figures
@@ -18,8 +19,9 @@ internal class OptionsViewModel(private val session: EditorSession) {
     private val options: MeshOptions get() = session.document.project.options
 
     val sections: List<InspectorSection>
-        get() = listOf(
+        get() = listOfNotNull(
             InspectorSection("Element sizes", sizeFields()),
+            InspectorSection("Sizes at places", sourceFields()).takeIf { it.fields.isNotEmpty() },
             InspectorSection("Method", methodFields()),
             InspectorSection("Names", nameFields()),
         )
@@ -36,6 +38,15 @@ internal class OptionsViewModel(private val session: EditorSession) {
             maxSize(FieldNumbers.positiveOrNone(it))
         },
     )
+
+    private fun sourceFields(): List<InspectorField> = (0 until options.sizeSources.count).map { source ->
+        val place = options.sizeSources.placeOf(source)
+        val what = if (place.size == 2) "Point" else "Line"
+        InspectorField(
+            "$what ${source + 1}", Figures.exact(options.sizeSources.sizeOf(source)), "length",
+            help = "Edge length at ${Figures.length(place[0])}, ${Figures.length(place[1])}; empty removes it",
+        ) { SourceCommands.resize(source, if (it.isBlank()) null else FieldNumbers.positive(it)) }
+    }
 
     private fun methodFields(): List<InspectorField> = listOf(
         choice("Strategy", options.strategy, Strategy.entries, "Robust makes the better mesh; Classic follows the paper") { strategy(it) },

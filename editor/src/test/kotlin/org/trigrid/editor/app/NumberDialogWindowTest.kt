@@ -155,6 +155,38 @@ internal class NumberDialogWindowTest : WindowFixture() {
         assertNull(onFx { window.session.document.picture })
     }
 
+    @Test
+    fun `sizes asked for at a point and along a line make small elements there`(robot: FxRobot) {
+        drawRectangle(robot)
+        robot.push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.A).clickOn(place(4.0, 4.0))
+        val size = field("edge-length")
+        assertEquals("0.25", size.text)
+        robot.write("0").type(KeyCode.ENTER)
+        assertTrue(isMarked(size))
+        robot.write("0.1").type(KeyCode.ENTER)
+        assertEquals("add size at a point", onFx { window.session.undoName })
+        robot.type(KeyCode.ESCAPE).push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.D)
+        robot.write("3,3").type(KeyCode.ENTER).write("5,3").type(KeyCode.ENTER)
+        field("edge-length")
+        robot.write("0.2").type(KeyCode.ENTER)
+        robot.type(KeyCode.ESCAPE).type(KeyCode.F5)
+        val mesh = waitForMesh()
+        val at = (0 until mesh.mesh.elementCount).minByOrNull { element ->
+            Math.hypot((0..2).sumOf { mesh.mesh.x(mesh.mesh.nodeOf(element, it)) } / 3 - 4, (0..2).sumOf { mesh.mesh.y(mesh.mesh.nodeOf(element, it)) } / 3 - 4)
+        }!!
+        // A boundary whose segments are 1 long at a distance of 2 keeps it from less than 1 - 0.25 * 2.
+        assertTrue(mesh.size(at) < 0.7, "${mesh.size(at)}")
+        val saved = text()
+        assertEquals(2, org.trigrid.project.ProjectFile.parse(saved, "saved").options.sizeSources.count)
+        onFx { (window.stage.scene.lookup(".tab-pane") as javafx.scene.control.TabPane).selectionModel.select(1) }
+        WaitForAsyncUtils.waitForFxEvents()
+        robot.clickOn("#field-point-1").push(KeyCode.CONTROL, KeyCode.A).type(KeyCode.DELETE).type(KeyCode.ENTER)
+        assertEquals("remove size source", onFx { window.session.undoName })
+        robot.clickOn(place(9.0, 7.5))
+        repeat(3) { robot.push(KeyCode.CONTROL, KeyCode.Z) }
+        assertEquals(0, onFx { window.session.document.project.options.sizeSources.count })
+    }
+
     private fun drawRectangle(robot: FxRobot) {
         show(robot, Box(0.0, 0.0, 12.0, 8.0))
         robot.type(KeyCode.R).clickOn(place(2.0, 2.0)).clickOn(place(6.0, 6.0))
