@@ -1,25 +1,49 @@
 package org.trigrid.io
 
-/** Makes a domain of each plane surface of a `.geo` script. */
+import org.trigrid.domain.Domain
+import org.trigrid.domain.Region
+
+/** Makes a domain of the plane surfaces of a `.geo` script: its regions, where there are several. */
 internal class GeoDomains(private val model: GeoModel, private val input: DomainText) {
+    /** Curves with their nodes, which surfaces on both sides share. */
+    private val pieces = HashMap<Int, OutlinePiece>()
+
     fun domains(): List<NamedDomain> {
         if (model.surfaces.isEmpty()) model.complaint.fail("there is no Plane Surface in it")
-        return model.surfaces.map { surface ->
-            val own = model.surfaceNames[surface.number]
-            val name = own ?: if (model.surfaces.size == 1) input.baseName else "${input.baseName}_${surface.number}"
-            val outline = Outline(input, name)
-            surface.loops.forEachIndexed { i, number ->
-                val loop = model.loops[Math.abs(number)] ?: model.complaint.failAt(surface.place, "there is no loop $number")
-                val pieces = ordered(loop)
-                if (i == 0) outline.outer(pieces) else outline.hole(pieces)
-            }
-            for (number in model.inner[surface.number].orEmpty()) {
-                val curve = model.curves[number] ?: model.complaint.failAt(surface.place, "there is no curve $number")
-                outline.embed(listOf(piece(number, curve)))
-            }
-            if (outline.isEmpty) model.complaint.failAt(surface.place, "the surface ${surface.number} has no outline")
-            NamedDomain(name, outline.toDomain())
+        val single = model.surfaces.singleOrNull()
+        if (single != null) {
+            val region = model.regions[single.number] ?: Region.of(input.baseName)
+            return listOf(NamedDomain(region.name, domain(single, region)))
         }
+        val builder = Domain.builder()
+        for (surface in model.surfaces) {
+            val region = model.regions[surface.number] ?: Region.of("surface ${surface.number}")
+            try {
+                builder.add(domain(surface, region))
+            } catch (e: IllegalArgumentException) {
+                model.complaint.failAt(surface.place, e.message.orEmpty())
+            }
+        }
+        return listOf(NamedDomain(input.baseName, builder.regionName(UNUSED).build()))
+    }
+
+    private fun domain(surface: GeoModel.Surface, region: Region): Domain {
+        val outline = Outline(input, region)
+        surface.loops.forEachIndexed { i, number ->
+            val loop = model.loops[Math.abs(number)] ?: model.complaint.failAt(surface.place, "there is no loop $number")
+            val pieces = ordered(loop)
+            if (i == 0) outline.outer(pieces) else outline.hole(pieces)
+        }
+        for (number in model.inner[surface.number].orEmpty()) {
+            val curve = model.curves[number] ?: model.complaint.failAt(surface.place, "there is no curve $number")
+            outline.embed(listOf(piece(number, curve)))
+        }
+        for (number in model.innerPoints[surface.number].orEmpty()) {
+            val point = model.points[number] ?: model.complaint.failAt(surface.place, "there is no point $number")
+            outline.embedPoint(point.x, point.y, model.pointTags[number] ?: "point $number")
+        }
+        if (outline.isEmpty) model.complaint.failAt(surface.place, "the surface ${surface.number} has no outline")
+        return outline.toDomain()
     }
 
     /** The curves of a loop from each to the next; as in Gmsh, their order and signs in the script need not be right. */
@@ -46,8 +70,12 @@ internal class GeoDomains(private val model: GeoModel, private val input: Domain
 
     private fun same(a: GeoModel.Point, b: GeoModel.Point) = a === b || a.x == b.x && a.y == b.y
 
-    private fun piece(number: Int, curve: GeoModel.Curve): OutlinePiece =
-        OutlinePiece(curve.curve, model.curveTags[number] ?: DEFAULT_TAG, model.divisions[number] ?: divisionBySizes(curve))
+    private fun piece(number: Int, curve: GeoModel.Curve): OutlinePiece = pieces.getOrPut(number) {
+        val tag = model.curveTags[number] ?: DEFAULT_TAG
+        val piece = OutlinePiece(curve.curve, tag, model.divisions[number] ?: divisionBySizes(curve))
+        val nodes = PieceDivision.points(piece, input.spacing, input.ratio, curve.begin === curve.end)
+        OutlinePiece(curve.curve, tag, piece.division, nodes)
+    }
 
     /**
      * Between sizes a and b at the ends of a length l, sizes run linearly: the integral of 1 / h is l ln(b / a) / (b - a) intervals,
@@ -81,6 +109,9 @@ internal class GeoDomains(private val model: GeoModel, private val input: Domain
 
     private companion object {
         const val DEFAULT_TAG = "boundary"
+
+        /** Of what is no surface, which there is none of. */
+        const val UNUSED = "domain"
         const val NEARLY = 1e-9
         const val MOST = 1e6
     }

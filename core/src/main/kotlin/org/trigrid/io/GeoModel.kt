@@ -1,5 +1,7 @@
 package org.trigrid.io
 
+import org.trigrid.domain.Region
+
 /** What a `.geo` script defines. Numbers of entities are those of the script. */
 internal class GeoModel {
     /** @param size wanted length of edges, NaN for none. */
@@ -18,8 +20,14 @@ internal class GeoModel {
 
     /** Curves inside of a surface, by its number. */
     val inner = HashMap<Int, ArrayList<Int>>()
+
+    /** Points inside of a surface, by its number. */
+    val innerPoints = HashMap<Int, ArrayList<Int>>()
+    val pointTags = HashMap<Int, String>()
     val curveTags = HashMap<Int, String>()
-    val surfaceNames = HashMap<Int, String>()
+
+    /** The physical groups of surfaces. */
+    val regions = HashMap<Int, Region>()
     val divisions = HashMap<Int, OutlineDivision>()
     lateinit var complaint: GeoTokens
 

@@ -1,5 +1,7 @@
 package org.trigrid.io
 
+import org.trigrid.domain.Region
+
 /** Reads the statements of a `.geo` script. */
 internal class GeoReader(private val tokens: GeoTokens) {
     private val model = GeoModel().also { it.complaint = tokens }
@@ -20,8 +22,9 @@ internal class GeoReader(private val tokens: GeoTokens) {
         tokens.next()
         if (flow.obey(word, place)) return
         when (word) {
-            "Point" -> if (tokens.word == "{") tokens.failAt(place, "points inside of surfaces cannot be read") else readPoint()
-            "Line", "Curve" -> if (tokens.takeIf("Loop")) readLoop() else if (tokens.word == "{") readInner(place) else readCurve("Line", place)
+            "Point" -> if (tokens.word == "{") readInner(place, model.innerPoints) else readPoint()
+            "Line", "Curve" ->
+                if (tokens.takeIf("Loop")) readLoop() else if (tokens.word == "{") readInner(place, model.inner) else readCurve("Line", place)
             "Circle", "Ellipse", "Spline", "BSpline", "Bezier" -> readCurve(word, place)
             "Plane" -> {
                 tokens.expect("Surface")
@@ -77,14 +80,14 @@ internal class GeoReader(private val tokens: GeoTokens) {
         for (number in points) (model.points[number] ?: tokens.failAt(place, "there is no point $number")).size = size
     }
 
-    /** `{curves} In Surface {surfaces}` */
-    private fun readInner(place: Int) {
-        val curves = whole(expressions.list(), place)
+    /** `{curves or points} In Surface {surfaces}` */
+    private fun readInner(place: Int, target: HashMap<Int, ArrayList<Int>>) {
+        val members = whole(expressions.list(), place)
         tokens.expect("In")
         tokens.expect("Surface")
         for (surface in whole(expressions.list(), place)) {
             if (model.surfaces.none { it.number == surface }) tokens.failAt(place, "there is no surface $surface")
-            model.inner.getOrPut(surface) { ArrayList() }.addAll(curves.map { Math.abs(it) })
+            target.getOrPut(surface) { ArrayList() }.addAll(members.map { Math.abs(it) })
         }
     }
 
@@ -164,21 +167,24 @@ internal class GeoReader(private val tokens: GeoTokens) {
         if (kind !in setOf("Point", "Line", "Curve", "Surface")) tokens.fail("Physical ${tokens.word} cannot be read")
         tokens.next()
         tokens.expect("(")
-        var name: String? = null
+        val name: String
+        var number = 0
         if (tokens.kind == GeoTokens.Kind.STRING) {
             name = tokens.word
             tokens.next()
-            if (tokens.takeIf(",")) expressions.number()
+            if (tokens.takeIf(",")) number = expressions.whole("a physical group")
         } else {
-            val number = expressions.whole("a physical group")
-            name = (if (kind == "Surface") "surface " else "curve ") + number
+            number = expressions.whole("a physical group")
+            name = (if (kind == "Surface") "surface " else if (kind == "Point") "point " else "curve ") + number
         }
+        val region = Region.of(name).withMaterial(Math.max(number, 0))
         tokens.expect(")")
         tokens.takeIf("+")
         tokens.expect("=")
         val place = tokens.start
         for (member in whole(expressions.list(), place)) {
-            if (kind == "Surface") model.surfaceNames[Math.abs(member)] = name
+            if (kind == "Surface") model.regions[Math.abs(member)] = region
+            if (kind == "Point") model.pointTags[Math.abs(member)] = name
             if (kind == "Line" || kind == "Curve") model.curveTags[Math.abs(member)] = name
         }
     }

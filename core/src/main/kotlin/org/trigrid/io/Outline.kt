@@ -2,6 +2,7 @@ package org.trigrid.io
 
 import org.trigrid.diagnostics.InvalidShapeException
 import org.trigrid.domain.Domain
+import org.trigrid.domain.Region
 import org.trigrid.shape.ArcLength
 import org.trigrid.shape.Distribution
 import org.trigrid.shape.Intervals
@@ -10,11 +11,15 @@ import org.trigrid.shape.Track
 import org.trigrid.shape.TrackExploder
 import org.trigrid.shape.Traits
 
-/** A curve of a drawing with the tag of its segments, and how it is to be divided where the drawing says so. */
-internal class OutlinePiece(val curve: PlaneCurve, val tag: String, val division: OutlineDivision? = null) {
+/**
+ * A curve of a drawing with the tag of its segments, and how it is to be divided where the drawing says so.
+ *
+ * @param nodes x0, y0, … where it is divided already, the same from both sides.
+ */
+internal class OutlinePiece(val curve: PlaneCurve, val tag: String, val division: OutlineDivision? = null, val nodes: DoubleArray? = null) {
     fun reversed(): OutlinePiece = OutlinePiece(
         if (curve is StraightLine) StraightLine(curve.endX, curve.endY, curve.beginX, curve.beginY) else ReversedCurve(curve),
-        tag, division?.reversed(),
+        tag, division?.reversed(), nodes?.let { DoubleArray(it.size) { i -> nodes[it.size - 2 - i + 2 * (i % 2)] } },
     )
 }
 
@@ -40,9 +45,11 @@ private class ReversedCurve(private val curve: PlaneCurve) : PlaneCurve {
 }
 
 /** The loops and open lines of a drawing, on their way to a domain. */
-internal class Outline(private val input: DomainText, private val regionName: String) {
-    private val builder = Domain.builder().regionName(regionName)
+internal class Outline(private val input: DomainText, region: Region) {
+    private val builder = Domain.builder().baseRegion(region)
     private var loops = 0
+
+    constructor(input: DomainText, regionName: String) : this(input, Region.of(regionName))
 
     val isEmpty: Boolean get() = loops == 0
 
@@ -55,7 +62,7 @@ internal class Outline(private val input: DomainText, private val regionName: St
 
     private fun add(pieces: List<OutlinePiece>, take: (DoubleArray, List<String>) -> Unit) {
         val points = Points()
-        for (piece in pieces) points.add(PieceDivision.points(piece, input.spacing, input.ratio, pieces.size == 1), piece.tag)
+        for (piece in pieces) points.add(nodesOf(piece, pieces.size == 1), piece.tag)
         if (points.count == 0) return
         if (!points.isClosed()) {
             val closing = StraightLine(points.lastX, points.lastY, points.firstX, points.firstY)
@@ -70,10 +77,18 @@ internal class Outline(private val input: DomainText, private val regionName: St
     /** Adds a line that is kept inside of the domain. */
     fun embed(pieces: List<OutlinePiece>) {
         for (piece in pieces) {
-            val xy = PieceDivision.points(piece, input.spacing, input.ratio, false)
+            val xy = nodesOf(piece, false)
             if (xy.size >= 4) builder.embed(xy, piece.tag)
         }
     }
+
+    /** Adds a point that is kept inside of the domain. */
+    fun embedPoint(x: Double, y: Double, tag: String) {
+        builder.embedPoint(x, y, tag)
+    }
+
+    private fun nodesOf(piece: OutlinePiece, isAlone: Boolean): DoubleArray =
+        piece.nodes ?: PieceDivision.points(piece, input.spacing, input.ratio, isAlone)
 
     fun toDomain(): Domain = builder.build()
 

@@ -4,9 +4,11 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.trigrid.MeshGenerator
 import org.trigrid.diagnostics.FileFormatException
 import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
+import org.trigrid.mesh.MeshCheck
 
 class GeoReaderTest {
     private fun read(text: String, division: CurveDivision = CurveDivision.DEFAULT): Domain = DrawingTexts.one(DomainFormat.GEO, text, division)
@@ -168,6 +170,40 @@ class GeoReaderTest {
         assertEquals(emptyList<Any>(), DomainCheck.check(domain))
     }
 
+    /** A plate of two materials with an inclusion of a third in both, a hole, and a point of load. */
+    private val materials = """
+        lc = 0.3; Point(1) = {0, 0, 0, lc}; Point(2) = {2, 0, 0, lc}; Point(3) = {4, 0, 0, lc}; Point(4) = {4, 3, 0, lc / 3}; Point(5) = {2, 3, 0, lc};
+        Point(6) = {0, 3, 0, lc}; Point(7) = {1, 1.5, 0, lc / 2}; Point(8) = {1.5, 1.5, 0, lc / 2}; Point(9) = {0.5, 1.5, 0, lc / 2}; Point(10) = {3, 2, 0, lc / 4};
+        Point(11) = {3.5, 1, 0, lc}; Point(12) = {3.8, 1, 0, lc}; Point(13) = {3.2, 1, 0, lc};
+        Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 6}; Line(6) = {6, 1}; Spline(7) = {5, 10, 2};
+        Circle(8) = {8, 7, 9}; Circle(9) = {9, 7, 8}; Circle(10) = {12, 11, 13}; Circle(11) = {13, 11, 12};
+        Curve Loop(1) = {1, -7, 5, 6}; Curve Loop(2) = {8, 9}; Curve Loop(3) = {2, 3, 4, 7}; Curve Loop(4) = {10, 11};
+        Plane Surface(1) = {1, 2}; Plane Surface(2) = {-2}; Plane Surface(3) = {3, 4};
+        Point(20) = {3.6, 2.5, 0}; Point{20} In Surface{3};
+        Physical Surface("steel", 5) = {1}; Physical Surface("rubber", 7) = {2}; Physical Surface("lead", 9) = {3};
+        Physical Curve("left") = {6}; Physical Curve("rim") = {10, 11}; Physical Point("load") = {20};
+    """.trimIndent()
+
+    @Test
+    fun `several surfaces are the regions of one domain`() {
+        for (division in listOf(CurveDivision.DEFAULT, DrawingTexts.spaced(0.17))) {
+            val named = DrawingTexts.read(DomainFormat.GEO, materials, division).single()
+            assertEquals("drawing", named.name)
+            assertEquals(emptyList<Any>(), DomainCheck.check(named.domain))
+            val mesh = MeshGenerator.generate(named.domain).mesh
+            assertEquals(emptyList<Any>(), MeshCheck.check(mesh, named.domain))
+            assertEquals(setOf("steel" to 5, "rubber" to 7, "lead" to 9), mesh.regions.map { it.name to it.material }.toSet())
+            fun area(name: String) = mesh.elementsIn(name).sumOf { mesh.area(it) }
+            assertEquals(Math.PI / 4, area("rubber"), 0.04)
+            // What Gmsh 4.15 finds with a fine mesh.
+            assertEquals(6.966, area("steel"), 0.06)
+            assertEquals(3.969, area("lead"), 0.06)
+            assertEquals(listOf("load"), (0 until mesh.pointCount).map { mesh.tags[mesh.pointTag(it)] })
+            assertEquals(3.6, mesh.x(mesh.pointNode(0)))
+            assertTrue(mesh.nodesOn("left").isNotEmpty() && mesh.nodesOn("rim").isNotEmpty())
+        }
+    }
+
     @Test
     fun `new numbers`() {
         val text = """
@@ -217,7 +253,7 @@ class GeoReaderTest {
         assertTrue("have more" in fault("For i In {1:1000} a[] = {1:10000}; EndFor").message!!)
         assertTrue("Macro" in fault("Macro Hole\nReturn").message!!)
         assertTrue("Field" in fault("Field[1] = Distance;").message!!)
-        assertTrue("points inside" in fault("Point{1} In Surface{1};").message!!)
+        assertTrue("no surface 1" in fault("Point{1} In Surface{1};").message!!)
         assertTrue("no place 3" in fault("a[] = {1, 2}; b = a[3];").message!!)
     }
 }

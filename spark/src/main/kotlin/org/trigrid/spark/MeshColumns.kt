@@ -64,8 +64,23 @@ public object MeshColumns {
     /** How many of the tagged edges are on the boundary; those after them are inside. */
     public const val BOUNDARY_EDGES: String = "boundaryEdges"
 
-    /** Names of the groups of edges: an array of strings. */
+    /** Names of the groups of edges and points: an array of strings. */
     public const val TAGS: String = "tags"
+
+    /** For each element its place in [REGIONS]: an array of ints. */
+    public const val ELEMENT_REGIONS: String = "elementRegions"
+
+    /** Names of the regions: an array of strings. */
+    public const val REGIONS: String = "regions"
+
+    /** Numbers of the regions' materials, 0 for none: an array of ints. */
+    public const val MATERIALS: String = "materials"
+
+    /** The nodes at points that were given to be nodes: an array of ints. */
+    public const val POINT_NODES: String = "pointNodes"
+
+    /** For each of these points its place in [TAGS]: an array of ints. */
+    public const val POINT_TAGS: String = "pointTags"
 
     /** The bytes of the mesh's file. */
     public const val FILE: String = "file"
@@ -102,6 +117,9 @@ public object MeshColumns {
         field(COORDINATES, arrayOf(DataTypes.DoubleType)), field(ELEMENT_NODES, arrayOf(DataTypes.IntegerType)),
         field(EDGE_NODES, arrayOf(DataTypes.IntegerType)), field(EDGE_TAGS, arrayOf(DataTypes.IntegerType)),
         field(BOUNDARY_EDGES, DataTypes.IntegerType), field(TAGS, arrayOf(DataTypes.StringType)),
+        field(ELEMENT_REGIONS, arrayOf(DataTypes.IntegerType)), field(REGIONS, arrayOf(DataTypes.StringType)),
+        field(MATERIALS, arrayOf(DataTypes.IntegerType)), field(POINT_NODES, arrayOf(DataTypes.IntegerType)),
+        field(POINT_TAGS, arrayOf(DataTypes.IntegerType)),
     )
 
     internal val FILE_BYTES: StructField = field(FILE, DataTypes.BinaryType)

@@ -1,6 +1,7 @@
 package org.trigrid.spark
 
 import org.apache.spark.sql.types.StructField
+import org.trigrid.domain.Region
 import org.trigrid.io.MeshFormat
 import org.trigrid.io.MeshFormats
 import org.trigrid.mesh.QuadraticMesh
@@ -41,25 +42,45 @@ internal class ColumnsSink(private val hasArrays: Boolean, private val formatNam
     }
 
     private fun putArrays(row: MeshRow, mesh: MadeMesh) {
-        val linear = mesh.linear
         val quadratic = mesh.quadratic
-        row.set(MeshColumns.COORDINATES, quadratic?.nodeCoordinates() ?: linear.nodeCoordinates())
-        row.set(MeshColumns.ELEMENT_NODES, quadratic?.elementNodes() ?: linear.elementNodes())
-        row.set(MeshColumns.EDGE_NODES, quadratic?.let { edgeNodes(it) } ?: edgeNodes(linear))
-        row.set(MeshColumns.EDGE_TAGS, IntArray(linear.taggedEdgeCount) { linear.edgeTag(it) })
-        row.set(MeshColumns.BOUNDARY_EDGES, linear.boundaryEdgeCount)
-        row.set(MeshColumns.TAGS, linear.tags.toTypedArray())
+        if (quadratic == null) putArrays(row, mesh.linear) else putArrays(row, quadratic)
     }
 
-    private fun edgeNodes(mesh: TriMesh) =
-        IntArray(2 * mesh.taggedEdgeCount) { if (it % 2 == 0) mesh.edgeStart(it / 2) else mesh.edgeEnd(it / 2) }
+    private fun putArrays(row: MeshRow, mesh: TriMesh) {
+        row.set(MeshColumns.COORDINATES, mesh.nodeCoordinates())
+        row.set(MeshColumns.ELEMENT_NODES, mesh.elementNodes())
+        row.set(MeshColumns.EDGE_NODES, IntArray(2 * mesh.taggedEdgeCount) { if (it % 2 == 0) mesh.edgeStart(it / 2) else mesh.edgeEnd(it / 2) })
+        row.set(MeshColumns.EDGE_TAGS, IntArray(mesh.taggedEdgeCount) { mesh.edgeTag(it) })
+        row.set(MeshColumns.BOUNDARY_EDGES, mesh.boundaryEdgeCount)
+        row.set(MeshColumns.TAGS, mesh.tags.toTypedArray())
+        putRegions(row, mesh.regions, IntArray(mesh.elementCount) { mesh.regionOf(it) })
+        row.set(MeshColumns.POINT_NODES, IntArray(mesh.pointCount) { mesh.pointNode(it) })
+        row.set(MeshColumns.POINT_TAGS, IntArray(mesh.pointCount) { mesh.pointTag(it) })
+    }
 
-    private fun edgeNodes(mesh: QuadraticMesh) = IntArray(3 * mesh.taggedEdgeCount) {
-        when (it % 3) {
-            0 -> mesh.edgeStart(it / 3)
-            1 -> mesh.edgeEnd(it / 3)
-            else -> mesh.edgeMiddle(it / 3)
-        }
+    private fun putArrays(row: MeshRow, mesh: QuadraticMesh) {
+        row.set(MeshColumns.COORDINATES, mesh.nodeCoordinates())
+        row.set(MeshColumns.ELEMENT_NODES, mesh.elementNodes())
+        row.set(MeshColumns.EDGE_NODES, IntArray(3 * mesh.taggedEdgeCount) { edgeNode(mesh, it / 3, it % 3) })
+        row.set(MeshColumns.EDGE_TAGS, IntArray(mesh.taggedEdgeCount) { mesh.edgeTag(it) })
+        row.set(MeshColumns.BOUNDARY_EDGES, mesh.boundaryEdgeCount)
+        row.set(MeshColumns.TAGS, mesh.tags.toTypedArray())
+        putRegions(row, mesh.regions, IntArray(mesh.elementCount) { mesh.regionOf(it) })
+        row.set(MeshColumns.POINT_NODES, IntArray(mesh.pointCount) { mesh.pointNode(it) })
+        row.set(MeshColumns.POINT_TAGS, IntArray(mesh.pointCount) { mesh.pointTag(it) })
+    }
+
+    private fun putRegions(row: MeshRow, regions: List<Region>, elementRegions: IntArray) {
+        row.set(MeshColumns.ELEMENT_REGIONS, elementRegions)
+        row.set(MeshColumns.REGIONS, Array(regions.size) { regions[it].name })
+        row.set(MeshColumns.MATERIALS, IntArray(regions.size) { regions[it].material })
+    }
+
+    /** Start, end and middle at [place] 0..2. */
+    private fun edgeNode(mesh: QuadraticMesh, edge: Int, place: Int): Int = when (place) {
+        0 -> mesh.edgeStart(edge)
+        1 -> mesh.edgeEnd(edge)
+        else -> mesh.edgeMiddle(edge)
     }
 
     companion object {

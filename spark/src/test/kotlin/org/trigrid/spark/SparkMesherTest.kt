@@ -162,6 +162,29 @@ class SparkMesherTest {
     }
 
     @Test
+    fun `regions and points are columns`() {
+        val geo = "Point(1)={0,0,0}; Point(2)={1,0,0}; Point(3)={1,1,0}; Point(4)={0,1,0}; Point(5)={2,0,0}; Point(6)={2,1,0}; Point(7)={0.5,0.4,0};" +
+            "Line(1)={1,2}; Line(2)={2,3}; Line(3)={3,4}; Line(4)={4,1}; Line(5)={2,5}; Line(6)={5,6}; Line(7)={6,3};" +
+            "Curve Loop(1)={1:4}; Curve Loop(2)={5,6,7,-2}; Plane Surface(1)={1}; Plane Surface(2)={2}; Point{7} In Surface{1};" +
+            "Physical Surface(\"steel\",3)={1}; Physical Surface(\"rubber\",8)={2}; Physical Point(\"load\")={7};"
+        val outlines = LocalSpark.session().createDataFrame(listOf(RowFactory.create("plate", geo, "geo")), LocalSpark.schema("id", "outline", "format"))
+        for (order in 1..2) {
+            val row = SparkMesher.builder().division(division).order(order).build().mesh(outlines).first()
+            assertNull(row.getAs<String>("error"))
+            val regions = row.getList<String>(row.fieldIndex("regions"))
+            assertEquals(mapOf("steel" to 3, "rubber" to 8), regions.zip(row.getList<Int>(row.fieldIndex("materials"))).toMap())
+            val xy = row.getList<Double>(row.fieldIndex("coordinates"))
+            val elements = row.getList<Int>(row.fieldIndex("elementNodes")).chunked(3 * order)
+            for ((element, region) in elements.zip(row.getList<Int>(row.fieldIndex("elementRegions")))) {
+                assertEquals(if (element.take(3).sumOf { xy[2 * it] } < 3) "steel" else "rubber", regions[region])
+            }
+            val node = row.getList<Int>(row.fieldIndex("pointNodes")).single()
+            assertEquals(listOf(0.5, 0.4), xy.subList(2 * node, 2 * node + 2))
+            assertEquals("load", row.getList<String>(row.fieldIndex("tags"))[row.getList<Int>(row.fieldIndex("pointTags")).single()])
+        }
+    }
+
+    @Test
     fun `columns that are missing or of another type are told before any work`() {
         val mesher = SparkMesher.builder().build()
         val session = LocalSpark.session()
