@@ -1,6 +1,8 @@
 package org.trigrid.editor.app
 
+import javafx.application.Platform
 import javafx.scene.control.Alert
+import javafx.scene.control.Button
 import javafx.scene.control.ButtonBar
 import javafx.scene.control.ButtonType
 import javafx.stage.Window
@@ -37,9 +39,13 @@ internal class Dialogs(private val owner: () -> Window?) {
 
     /** Whether the file may be written over. */
     fun askToReplace(name: String): Boolean {
-        val replace = ButtonType("Replace", ButtonBar.ButtonData.YES)
+        val replace = ButtonType("Replace", ButtonBar.ButtonData.OTHER)
         val alert = alert(Alert.AlertType.CONFIRMATION, "Replace “$name”?", "There is a file of this name. What it holds is lost if you replace it.")
         alert.buttonTypes.setAll(replace, ButtonType.CANCEL)
+        // Enter may still be meant for the chooser, so it must not replace.
+        val cancel = alert.dialogPane.lookupButton(ButtonType.CANCEL) as Button
+        cancel.isDefaultButton = true
+        alert.setOnShown { Platform.runLater { cancel.requestFocus() } }
         return alert.showAndWait().orElse(ButtonType.CANCEL) == replace
     }
 
