@@ -90,7 +90,8 @@ internal class BackgroundMesher(
     }
 
     private fun generate(document: EditorDocument, monitor: ProgressMonitor): MeshView {
-        val result = MeshGenerator.generate(document.project.toDomain(), document.project.options, monitor)
+        val options = document.project.options.toBuilder().threads(Runtime.getRuntime().availableProcessors()).build()
+        val result = MeshGenerator.generate(document.project.toDomain(), options, monitor)
         return MeshView(document, result.mesh, result.report)
     }
 
