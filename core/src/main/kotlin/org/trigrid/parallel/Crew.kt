@@ -17,7 +17,7 @@ internal class Crew(private val threads: Int, private val executor: Executor) {
     /**
      * Does the tasks 0 until [count] and returns when all are done, with what they wrote seen by the caller.
      *
-     * @param report hears of the progress from 0 to 1 and may throw to end the work.
+     * @param report hears of the progress, from 0 to 1 but not always rising, and may throw to end the work.
      * @param task does one task; calls what it is given with its progress from 0 to 1, at least every few milliseconds.
      */
     fun run(count: Int, report: (Double) -> Unit, task: (index: Int, progress: (Double) -> Unit) -> Unit) {

@@ -49,7 +49,7 @@ class CrewTest {
     }
 
     @Test
-    fun `the caller alone reports, and the progress does not fall`() {
+    fun `the caller alone reports, parts of the whole`() {
         val caller = Thread.currentThread()
         val told = ArrayList<Double>()
         Crew(3, pool).run(40, { assertSame(caller, Thread.currentThread()); told.add(it) }) { _, progress ->

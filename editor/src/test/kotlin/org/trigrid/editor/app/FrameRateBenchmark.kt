@@ -23,15 +23,16 @@ import org.trigrid.project.Project
 
 /**
  * A million elements on a sheet of 1280 by 800 pixels, panned and zoomed in the window itself. Counted are the frames of the
- * window and, the harder of the two, the pictures of the mesh that were drawn anew for where the sheet had come to.
+ * window and, the harder of the two, the pictures of the mesh that were drawn anew for where the sheet had come to. No test: it
+ * prints what it measures, and its name keeps it out of every run that does not ask for it.
  */
 @Tag("corpus")
-internal class FrameRateWindowTest : WindowFixture() {
+internal class FrameRateBenchmark : WindowFixture() {
     @Start
     fun start(stage: Stage) = open(stage)
 
     @Test
-    fun `a million elements are panned and zoomed at 30 frames a second`() {
+    fun `pictures a second of a million elements, panned and zoomed`() {
         val spacing = System.getProperty("trigrid.frames.spacing")?.toDouble() ?: HAND_SPACING
         val hand = Gallery.HAND.document().project.toDomain().respaced(spacing, 1.0)
         onFx {
@@ -44,7 +45,6 @@ internal class FrameRateWindowTest : WindowFixture() {
         val count = onFx { window.session.mesh!!.mesh.elementCount }
         println("elements: $count, sheet ${onFx { window.canvas.width }} by ${onFx { window.canvas.height }}")
         assertTrue(count > 900_000, "$count elements")
-        val slow = ArrayList<String>()
         for (colouring in listOf(Colouring.NONE, Colouring.QUALITY)) {
             onFx { window.session.view = window.session.view.copy(colouring = colouring) }
             onFx { window.canvas.fit() }
@@ -52,24 +52,15 @@ internal class FrameRateWindowTest : WindowFixture() {
             for (ease in listOf(1.0, 3.0, 10.0, 40.0, 150.0)) {
                 onFx { window.canvas.fit() }
                 onFx { window.canvas.zoom(ease) }
-                judge(measure("$colouring panning, $ease times the whole", 120) { pan(it) }, slow)
+                measure("$colouring panning, $ease times the whole", 120) { pan(it) }
             }
             onFx { window.canvas.fit() }
-            judge(measure("$colouring zooming in and out by the wheel", 480) { zoom(it) }, slow)
+            measure("$colouring zooming in and out by the wheel", 480) { zoom(it) }
         }
-        assertTrue(slow.isEmpty(), slow.joinToString("\n"))
     }
 
-    private class Rate(val what: String, val frames: Double, val pictures: Double, val longest: Double) {
-        override fun toString(): String = "%-55s %5.1f frames/s, %5.1f pictures/s, longest frame %4.0f ms".format(what, frames, pictures, longest)
-    }
-
-    private fun judge(rate: Rate, slow: MutableList<String>) {
-        if (rate.pictures < WANTED) slow.add(rate.toString())
-    }
-
-    /** The frames in which [step] was taken, until there were [steps] of them. */
-    private fun measure(what: String, steps: Int, step: (Int) -> Unit): Rate {
+    /** Prints the frames and pictures a second while [step] is taken in each frame, [steps] times. */
+    private fun measure(what: String, steps: Int, step: (Int) -> Unit) {
         WaitForAsyncUtils.sleep(700, TimeUnit.MILLISECONDS)
         val done = CountDownLatch(1)
         var pictures = 0
@@ -99,7 +90,8 @@ internal class FrameRateWindowTest : WindowFixture() {
         }
         done.await(120, TimeUnit.SECONDS)
         val seconds = (end - begin) / 1e9
-        return Rate(what, steps / seconds, pictures / seconds, longest / 1e6).also { println(it) }
+        val figures = "%5.1f frames/s, %5.1f pictures/s, longest frame %4.0f ms".format(steps / seconds, pictures / seconds, longest / 1e6)
+        println("%-55s %s".format(what, figures))
     }
 
     /** The whole way in, to single elements, and out again, round a place that is not the middle. */
@@ -126,7 +118,6 @@ internal class FrameRateWindowTest : WindowFixture() {
 
     private companion object {
         const val HAND_SPACING = 0.0106
-        const val WANTED = 30.0
 
         /** What a notch of a wheel turns. */
         const val NOTCH = 20.0
