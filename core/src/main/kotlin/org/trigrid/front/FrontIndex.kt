@@ -1,22 +1,29 @@
 package org.trigrid.front
 
 /**
- * Finds front edges near a place: a quadtree over the edges' midpoints.
+ * Finds front edges near a place: a quadtree over the edges' midpoints that is entered at the height of the question.
  *
- * An edge lives in the smallest cell on the way to its midpoint whose side is at least [LOOSENESS] times the edge's
- * extent, so it may reach out of its cell. Long and short edges thus live on different levels, and the cost of a query
- * depends on what is near, not on how sizes vary over the domain. Each cell knows how far from its centre the edges in
- * and below it reach: far above short edges that is hardly more than the cell, and a query goes down one path, not four.
- * A cell is freed with its last edge: memory follows the front, not the mesh.
+ * An edge lives in the cell round its midpoint, on the level whose side is [LOOSENESS] to twice as many times its extent, so
+ * it may reach out of its cell by a known part of the side. Long and short edges thus live on different levels, and the cost
+ * of a query depends on what is near, not on how sizes vary over the domain. A hash table knows the cells by level and
+ * place: a query looks up the few cells of its own size and goes down from there; of the levels above it asks only
+ * those that hold edges. A cell is freed with its last edge: memory follows the front, not the mesh.
  */
-internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double) {
-    /** [LINKS] per cell: its four children, 0 for none; its parent; its first edge, -1 for none. */
-    private var links = IntArray(LINKS * 64)
+internal class FrontIndex(private val minX: Double, private val minY: Double, maxX: Double, maxY: Double) {
+    private val cells = IndexCells()
 
-    /** [SHAPE] per cell: centre x and y, half of a child's side, nothing; then how far each child reaches. */
-    private var shape = DoubleArray(SHAPE * 64)
-    private var cells = 1
-    private var freeCell = 0
+    /** Cells of level k have the side 2 to the power of this, less k; the one of level 0 covers the domain. */
+    private val rootExponent: Int
+    private val deepest: Int
+    private val sides: DoubleArray
+    private val inverseSides: DoubleArray
+
+    /** Per level: how far an edge reaches out of its cell, at most. */
+    private val overhangs: DoubleArray
+    private val edgesOnLevel: IntArray
+
+    /** A bit for each level that holds edges. */
+    private var occupied = 0L
 
     private var cellOf = IntArray(64)
     private var nextInCell = IntArray(64)
@@ -24,9 +31,6 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
 
     /** [BOX] per edge: least x and y, largest x and y. */
     private var boxes = DoubleArray(BOX * 64)
-
-    /** Covers the rounding of midpoints, centres and distances, whatever the place of the domain. */
-    private val slack: Double
     private var stack = IntArray(256)
 
     /** Edges found by the last [query]. */
@@ -36,57 +40,51 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
 
     init {
         val side = Math.max(maxX - minX, maxY - minY)
-        links[FIRST] = -1
-        shape[0] = 0.5 * (minX + maxX)
-        shape[1] = 0.5 * (minY + maxY)
-        // A power of two, so that scaling a domain by one scales every cell and changes no comparison.
-        shape[HALF] = Math.scalb(1.0, Math.getExponent(side))
         val farthest = Math.max(Math.max(Math.abs(minX), Math.abs(maxX)), Math.max(Math.abs(minY), Math.abs(maxY)))
-        slack = Math.scalb(1.0, Math.getExponent(farthest) - SLACK_BITS)
+        // Covers the rounding of midpoints and distances, whatever the place of the domain.
+        val slackExponent = Math.max(Math.getExponent(farthest) - SLACK_BITS, java.lang.Double.MIN_EXPONENT)
+        // Powers of two, so that scaling a domain by one scales every cell and changes no comparison.
+        rootExponent = Math.getExponent(side) + 1
+        deepest = Math.min(Math.max(rootExponent - slackExponent - 2, 0), java.lang.Long.SIZE - 2)
+        sides = DoubleArray(deepest + 1) { Math.scalb(1.0, rootExponent - it) }
+        inverseSides = DoubleArray(deepest + 1) { Math.scalb(1.0, it - rootExponent) }
+        val slack = Math.scalb(1.0, slackExponent)
+        overhangs = DoubleArray(deepest + 1) { sides[it] / (2 * LOOSENESS) + slack }
+        edgesOnLevel = IntArray(deepest + 1)
     }
 
     fun insert(edge: Int, ax: Double, ay: Double, bx: Double, by: Double) {
-        val cell = cellFor(0.5 * (ax + bx), 0.5 * (ay + by), 0.5 * Math.max(Math.abs(bx - ax), Math.abs(by - ay)))
         if (edge >= cellOf.size) growEdges(edge)
         val box = BOX * edge
         boxes[box] = Math.min(ax, bx)
         boxes[box + 1] = Math.min(ay, by)
         boxes[box + 2] = Math.max(ax, bx)
         boxes[box + 3] = Math.max(ay, by)
-        val first = links[LINKS * cell + FIRST]
+        val extent = Math.max(Math.abs(bx - ax), Math.abs(by - ay))
+        val level = levelOf(Math.getExponent(LOOSENESS * extent) + 1)
+        val cell = cells.make(level, place(0.5 * (ax + bx) - minX, level), place(0.5 * (ay + by) - minY, level))
+        val first = cells.firstEdge(cell)
         cellOf[edge] = cell
         nextInCell[edge] = first
         previousInCell[edge] = -1
         if (first >= 0) previousInCell[first] = edge
-        links[LINKS * cell + FIRST] = edge
+        cells.setFirstEdge(cell, edge)
+        if (edgesOnLevel[level]++ == 0) occupied = occupied or (1L shl level)
     }
 
-    /** The cell for an edge, made where there is none; those on the way learn how far an edge of this half extent reaches. */
-    private fun cellFor(x: Double, y: Double, halfExtent: Double): Int {
-        val wanted = LOOSENESS * halfExtent
-        val own = halfExtent + slack
-        var cell = 0
-        while (true) {
-            val at = SHAPE * cell
-            val half = shape[at + HALF]
-            if (half < wanted) return cell
-            val dx = x - shape[at]
-            val dy = y - shape[at + 1]
-            val quadrant = (if (dx >= 0) 1 else 0) or (if (dy >= 0) 2 else 0)
-            val reach = Math.max(Math.abs(Math.abs(dx) - half), Math.abs(Math.abs(dy) - half)) + own
-            var below = links[LINKS * cell + quadrant]
-            if (below == 0) {
-                below = addCell(cell, quadrant)
-                shape[SHAPE * cell + REACH + quadrant] = reach
-            } else if (reach > shape[at + REACH + quadrant]) {
-                shape[at + REACH + quadrant] = reach
-            }
-            cell = below
-        }
+    /** The level of cells with a side of 2 to the power of [exponent], or the next one that there is. */
+    private fun levelOf(exponent: Int): Int = Math.min(Math.max(rootExponent - exponent, 0), deepest)
+
+    /** Number of the column or row of cells, clamped to those there are. */
+    private fun place(offset: Double, level: Int): Long {
+        val cell = Math.floor(offset * inverseSides[level])
+        return if (cell > 0) Math.min(cell.toLong(), (1L shl level) - 1) else 0
     }
 
     fun remove(edge: Int) {
-        var cell = cellOf[edge]
+        val cell = cellOf[edge]
+        val level = cells.level(cell)
+        if (--edgesOnLevel[level] == 0) occupied = occupied and (1L shl level).inv()
         val before = previousInCell[edge]
         val after = nextInCell[edge]
         if (after >= 0) previousInCell[after] = before
@@ -94,34 +92,79 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
             nextInCell[before] = after
             return
         }
-        links[LINKS * cell + FIRST] = after
-        while (cell != 0 && isEmpty(cell)) cell = release(cell)
+        cells.setFirstEdge(cell, after)
+        if (after < 0) cells.releaseEmpty(cell)
     }
 
     /** Puts into [found] every edge whose own box overlaps this one. */
     fun query(x0: Double, y0: Double, x1: Double, y1: Double) {
-        val x = 0.5 * (x0 + x1)
-        val y = 0.5 * (y0 + y1)
-        val halfWidth = 0.5 * (x1 - x0)
-        val halfHeight = 0.5 * (y1 - y0)
         foundCount = 0
-        stack[0] = 0
+        collect(cells.firstEdge(IndexCells.ROOT), x0, y0, x1, y1)
+        val entry = levelOf(Math.getExponent(Math.max(x1 - x0, y1 - y0)) + ENTRY)
+        var levels = occupied and (1L shl entry + 1) - 2
+        while (levels != 0L) {
+            val level = java.lang.Long.numberOfTrailingZeros(levels)
+            levels = levels and levels - 1
+            if (level < entry) collectOn(level, x0, y0, x1, y1)
+        }
+        if (entry == 0) descend(IndexCells.ROOT, 0, x0, y0, x1, y1) else enter(entry, x0, y0, x1, y1)
+    }
+
+    /** Edges that live on a level. */
+    private fun collectOn(level: Int, x0: Double, y0: Double, x1: Double, y1: Double) {
+        val overhang = overhangs[level]
+        val lastColumn = place(x1 - minX + overhang, level)
+        val firstRow = place(y0 - minY - overhang, level)
+        val lastRow = place(y1 - minY + overhang, level)
+        for (column in place(x0 - minX - overhang, level)..lastColumn) {
+            for (row in firstRow..lastRow) {
+                val cell = cells.find(level, column, row)
+                if (cell >= 0) collect(cells.firstEdge(cell), x0, y0, x1, y1)
+            }
+        }
+    }
+
+    /** Edges that live on a level or below it. */
+    private fun enter(level: Int, x0: Double, y0: Double, x1: Double, y1: Double) {
+        val isLowest = occupied ushr level + 1 == 0L
+        if (isLowest && edgesOnLevel[level] == 0) return
+        if (isLowest) return collectOn(level, x0, y0, x1, y1)
+        val overhang = overhangs[level]
+        val lastColumn = place(x1 - minX + overhang, level)
+        val firstRow = place(y0 - minY - overhang, level)
+        val lastRow = place(y1 - minY + overhang, level)
+        for (column in place(x0 - minX - overhang, level)..lastColumn) {
+            for (row in firstRow..lastRow) {
+                val cell = cells.find(level, column, row)
+                if (cell < 0) continue
+                if (cell != IndexCells.ROOT) collect(cells.firstEdge(cell), x0, y0, x1, y1)
+                descend(cell, level, x0, y0, x1, y1)
+            }
+        }
+    }
+
+    /** Edges that live below a cell. */
+    private fun descend(top: Int, topLevel: Int, x0: Double, y0: Double, x1: Double, y1: Double) {
+        if (!cells.hasChildren(top)) return
+        stack[0] = top
         var depth = 1
         while (depth > 0) {
             val cell = stack[--depth]
-            collect(links[LINKS * cell + FIRST], x0, y0, x1, y1)
+            val level = if (cell == top) topLevel + 1 else cells.level(cell) + 1
+            val overhang = overhangs[level]
+            val firstColumn = place(x0 - minX - overhang, level)
+            val lastColumn = place(x1 - minX + overhang, level)
+            val firstRow = place(y0 - minY - overhang, level)
+            val lastRow = place(y1 - minY + overhang, level)
             if (depth + 4 > stack.size) stack = stack.copyOf(2 * stack.size)
-            val at = SHAPE * cell
-            val half = shape[at + HALF]
-            val dx = x - shape[at]
-            val dy = y - shape[at + 1]
             for (quadrant in 0..3) {
-                val below = links[LINKS * cell + quadrant]
+                val below = cells.child(cell, quadrant)
                 if (below == 0) continue
-                val reach = shape[at + REACH + quadrant]
-                val fromX = if (quadrant and 1 != 0) dx - half else dx + half
-                val fromY = if (quadrant and 2 != 0) dy - half else dy + half
-                if (Math.abs(fromX) <= reach + halfWidth && Math.abs(fromY) <= reach + halfHeight) stack[depth++] = below
+                val column = cells.column(below)
+                val row = cells.row(below)
+                if (column < firstColumn || column > lastColumn || row < firstRow || row > lastRow) continue
+                collect(cells.firstEdge(below), x0, y0, x1, y1)
+                if (cells.hasChildren(below)) stack[depth++] = below
             }
         }
     }
@@ -130,51 +173,16 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
         var edge = first
         while (edge >= 0) {
             val box = BOX * edge
-            if (boxes[box] <= x1 && boxes[box + 2] >= x0 && boxes[box + 1] <= y1 && boxes[box + 3] >= y0) {
-                if (foundCount == found.size) found = found.copyOf(2 * foundCount)
-                found[foundCount++] = edge
-            }
+            // No branch, as none could be foreseen: any negative difference sets the sign.
+            val apart = bits(x1 - boxes[box]) or bits(boxes[box + 2] - x0) or bits(y1 - boxes[box + 1]) or bits(boxes[box + 3] - y0)
+            if (foundCount == found.size) found = found.copyOf(2 * foundCount)
+            found[foundCount] = edge
+            foundCount += (apart.inv() ushr java.lang.Long.SIZE - 1).toInt()
             edge = nextInCell[edge]
         }
     }
 
-    private fun addCell(above: Int, quadrant: Int): Int {
-        val cell: Int
-        if (freeCell != 0) {
-            cell = freeCell
-            freeCell = links[LINKS * cell + PARENT]
-        } else {
-            cell = cells++
-            if (LINKS * cell == links.size) growCells()
-        }
-        links[LINKS * above + quadrant] = cell
-        links[LINKS * cell + PARENT] = above
-        links[LINKS * cell + FIRST] = -1
-        val half = shape[SHAPE * above + HALF]
-        shape[SHAPE * cell] = shape[SHAPE * above] + (if (quadrant and 1 != 0) half else -half)
-        shape[SHAPE * cell + 1] = shape[SHAPE * above + 1] + (if (quadrant and 2 != 0) half else -half)
-        shape[SHAPE * cell + HALF] = 0.5 * half
-        return cell
-    }
-
-    private fun isEmpty(cell: Int): Boolean {
-        val at = LINKS * cell
-        return links[at + FIRST] < 0 && links[at] or links[at + 1] or links[at + 2] or links[at + 3] == 0
-    }
-
-    /** Frees a cell and returns its parent. */
-    private fun release(cell: Int): Int {
-        val above = links[LINKS * cell + PARENT]
-        for (at in LINKS * above..LINKS * above + 3) if (links[at] == cell) links[at] = 0
-        links[LINKS * cell + PARENT] = freeCell
-        freeCell = cell
-        return above
-    }
-
-    private fun growCells() {
-        links = links.copyOf(2 * links.size)
-        shape = shape.copyOf(2 * shape.size)
-    }
+    private fun bits(value: Double): Long = java.lang.Double.doubleToRawLongBits(value)
 
     private fun growEdges(edge: Int) {
         val size = Math.max(2 * cellOf.size, edge + 1)
@@ -185,18 +193,15 @@ internal class FrontIndex(minX: Double, minY: Double, maxX: Double, maxY: Double
     }
 
     private companion object {
-        /** Of a cell's side to the extent of its edges, at least; lists are cheap to go through, levels are not. */
-        const val LOOSENESS = 8.0
+        /** Of a cell's side to the extent of its edges, at least. */
+        @JvmField val LOOSENESS = java.lang.Double.parseDouble(System.getProperty("loose", "2.0"))
+
+        /** A query enters at cells of its own size, times 2 to the power of this. */
+        @JvmField val ENTRY = Integer.getInteger("entry", 0)
 
         /** 32 units in the last place. */
         const val SLACK_BITS = 47
 
-        const val LINKS = 8
-        const val PARENT = 4
-        const val FIRST = 5
-        const val SHAPE = 8
-        const val HALF = 2
-        const val REACH = 4
         const val BOX = 4
     }
 }

@@ -94,7 +94,7 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
         val other = Math.sqrt((qx - vx) * (qx - vx) + (qy - vy) * (qy - vy))
         if (other > UNLIKE * length || length > UNLIKE * other) return false
         val cosine = ((wx - vx) * (qx - vx) + (wy - vy) * (qy - vy)) / (length * other)
-        return cosine > WIDEST_HALVED && cosine < SHARP_EAR && TriangleQuality.shape(ax, ay, bx, by, qx, qy) > 0
+        return cosine > WIDEST_HALVED && cosine < SHARP_EAR && (bx - ax) * (qy - ay) - (by - ay) * (qx - ax) > 0
     }
 
     private fun placeOnBisector(q: Int, vx: Double, vy: Double, wx: Double, wy: Double, length: Double) {
@@ -123,22 +123,29 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
         val nodeClearance2 = NODE_CLEARANCE * NODE_CLEARANCE * size * size
         val edgeClearance2 = EDGE_CLEARANCE * EDGE_CLEARANCE * size * size
         val reach2 = reach * reach
-        var free = mesh.nodeCount < state.nodeBudget
         val xy = mesh.xy
+        // The sign tells whether something is too near to the ideal place; no branch, as none could be foreseen.
+        var inTheWay = 0L
         for (i in 0 until index.foundCount) {
             val corner = index.found[i]
-            if (corner == edge) continue
             val q = front.origin[corner]
+            val v = front.destination(corner)
             val qx = xy[2 * q]
             val qy = xy[2 * q + 1]
-            val d2 = (qx - px) * (qx - px) + (qy - py) * (qy - py)
-            if (free) {
-                val v = front.destination(corner)
-                free = d2 >= nodeClearance2 && distance2(px, py, qx, qy, xy[2 * v], xy[2 * v + 1]) >= edgeClearance2
-            }
-            if (d2 > reach2 || corner == ahead || corner == behind || q == a || q == b) continue
+            val ex = px - qx
+            val ey = py - qy
+            val d2 = ex * ex + ey * ey
+            val dx = xy[2 * v] - qx
+            val dy = xy[2 * v + 1] - qy
+            val along = ex * dx + ey * dy
+            val length2 = dx * dx + dy * dy
+            val across = ex * dy - ey * dx
+            val besideEdge = signs(-along) and signs(along - length2) and signs(across * across - edgeClearance2 * length2)
+            inTheWay = inTheWay or if (corner == edge) 0 else signs(d2 - nodeClearance2) or besideEdge
+            if ((d2 > reach2) or (corner == edge) or (corner == ahead) or (corner == behind) or (q == a) or (q == b)) continue
             addCorner(corner, qx, qy, if (d2 < near2) PREFERENCE else FAR_FACTOR)
         }
+        val free = inTheWay >= 0 && mesh.nodeCount < state.nodeBudget
         collectEar(ahead, bx, by, ax, ay, near2, fails)
         if (behind != ahead) collectEar(behind, ax, ay, bx, by, near2, fails)
         if (free) candidates.add(CandidateList.NEW_NODE, NEW_NODE_FACTOR * TriangleQuality.shape(ax, ay, bx, by, px, py))
@@ -182,17 +189,8 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
         return clear
     }
 
-    private fun distance2(x: Double, y: Double, ux: Double, uy: Double, vx: Double, vy: Double): Double {
-        val dx = vx - ux
-        val dy = vy - uy
-        val ex = x - ux
-        val ey = y - uy
-        val t = (ex * dx + ey * dy) / (dx * dx + dy * dy)
-        if (t <= 0) return ex * ex + ey * ey
-        if (t >= 1) return (x - vx) * (x - vx) + (y - vy) * (y - vy)
-        val cross = ex * dy - ey * dx
-        return cross * cross / (dx * dx + dy * dy)
-    }
+    /** Negative if [value] is. */
+    private fun signs(value: Double): Long = java.lang.Double.doubleToRawLongBits(value)
 
     private companion object {
         /** Height over the base edge, in its length, at which the wanted size is asked. */
