@@ -23,7 +23,7 @@ internal class FrontIndex(private val minX: Double, private val minY: Double, ma
     private val edgesOnLevel: IntArray
 
     /** A bit for each level that holds edges. */
-    private var occupied = 0L
+    private var occupied = 0
 
     private var cellOf = IntArray(64)
     private var nextInCell = IntArray(64)
@@ -45,7 +45,7 @@ internal class FrontIndex(private val minX: Double, private val minY: Double, ma
         val slackExponent = Math.max(Math.getExponent(farthest) - SLACK_BITS, java.lang.Double.MIN_EXPONENT)
         // Powers of two, so that scaling a domain by one scales every cell and changes no comparison.
         rootExponent = Math.getExponent(side) + 1
-        deepest = Math.min(Math.max(rootExponent - slackExponent - 2, 0), java.lang.Long.SIZE - 2)
+        deepest = Math.min(Math.max(rootExponent - slackExponent - 2, 0), IndexCells.LEVELS - 1)
         sides = DoubleArray(deepest + 1) { Math.scalb(1.0, rootExponent - it) }
         inverseSides = DoubleArray(deepest + 1) { Math.scalb(1.0, it - rootExponent) }
         val slack = Math.scalb(1.0, slackExponent)
@@ -62,29 +62,27 @@ internal class FrontIndex(private val minX: Double, private val minY: Double, ma
         boxes[box + 3] = Math.max(ay, by)
         val extent = Math.max(Math.abs(bx - ax), Math.abs(by - ay))
         val level = levelOf(Math.getExponent(LOOSENESS * extent) + 1)
-        val cell = cells.make(level, place(0.5 * (ax + bx) - minX, level), place(0.5 * (ay + by) - minY, level))
+        val cell = cells.make(IndexCells.keyOf(level, place(0.5 * (ax + bx) - minX, level), place(0.5 * (ay + by) - minY, level)))
         val first = cells.firstEdge(cell)
         cellOf[edge] = cell
         nextInCell[edge] = first
         previousInCell[edge] = -1
         if (first >= 0) previousInCell[first] = edge
         cells.setFirstEdge(cell, edge)
-        if (edgesOnLevel[level]++ == 0) occupied = occupied or (1L shl level)
+        if (edgesOnLevel[level]++ == 0) occupied = occupied or (1 shl level)
     }
 
     /** The level of cells with a side of 2 to the power of [exponent], or the next one that there is. */
     private fun levelOf(exponent: Int): Int = Math.min(Math.max(rootExponent - exponent, 0), deepest)
 
     /** Number of the column or row of cells, clamped to those there are. */
-    private fun place(offset: Double, level: Int): Long {
-        val cell = Math.floor(offset * inverseSides[level])
-        return if (cell > 0) Math.min(cell.toLong(), (1L shl level) - 1) else 0
-    }
+    private fun place(offset: Double, level: Int): Long =
+        Math.min(Math.max((offset * inverseSides[level]).toLong(), 0), (1L shl level) - 1)
 
     fun remove(edge: Int) {
         val cell = cellOf[edge]
-        val level = cells.level(cell)
-        if (--edgesOnLevel[level] == 0) occupied = occupied and (1L shl level).inv()
+        val level = IndexCells.level(cells.key(cell))
+        if (--edgesOnLevel[level] == 0) occupied = occupied and (1 shl level).inv()
         val before = previousInCell[edge]
         val after = nextInCell[edge]
         if (after >= 0) previousInCell[after] = before
@@ -99,58 +97,44 @@ internal class FrontIndex(private val minX: Double, private val minY: Double, ma
     /** Puts into [found] every edge whose own box overlaps this one. */
     fun query(x0: Double, y0: Double, x1: Double, y1: Double) {
         foundCount = 0
-        collect(cells.firstEdge(IndexCells.ROOT), x0, y0, x1, y1)
+        collect(IndexCells.ROOT, x0, y0, x1, y1)
         val entry = levelOf(Math.getExponent(Math.max(x1 - x0, y1 - y0)) + ENTRY)
-        var levels = occupied and (1L shl entry + 1) - 2
-        while (levels != 0L) {
-            val level = java.lang.Long.numberOfTrailingZeros(levels)
+        if (entry == 0) return descend(IndexCells.ROOT, x0, y0, x1, y1)
+        val isLowest = occupied ushr entry + 1 == 0
+        val last = if (isLowest) entry else entry - 1
+        var levels = occupied and (1 shl last + 1) - 2
+        while (levels != 0) {
+            collectOn(Integer.numberOfTrailingZeros(levels), false, x0, y0, x1, y1)
             levels = levels and levels - 1
-            if (level < entry) collectOn(level, x0, y0, x1, y1)
         }
-        if (entry == 0) descend(IndexCells.ROOT, 0, x0, y0, x1, y1) else enter(entry, x0, y0, x1, y1)
+        if (!isLowest) collectOn(entry, true, x0, y0, x1, y1)
     }
 
-    /** Edges that live on a level. */
-    private fun collectOn(level: Int, x0: Double, y0: Double, x1: Double, y1: Double) {
+    /** Edges that live on a level and, if wanted, [below]. */
+    private fun collectOn(level: Int, below: Boolean, x0: Double, y0: Double, x1: Double, y1: Double) {
         val overhang = overhangs[level]
         val lastColumn = place(x1 - minX + overhang, level)
         val firstRow = place(y0 - minY - overhang, level)
         val lastRow = place(y1 - minY + overhang, level)
         for (column in place(x0 - minX - overhang, level)..lastColumn) {
+            var key = IndexCells.keyOf(level, column, firstRow)
             for (row in firstRow..lastRow) {
-                val cell = cells.find(level, column, row)
-                if (cell >= 0) collect(cells.firstEdge(cell), x0, y0, x1, y1)
-            }
-        }
-    }
-
-    /** Edges that live on a level or below it. */
-    private fun enter(level: Int, x0: Double, y0: Double, x1: Double, y1: Double) {
-        val isLowest = occupied ushr level + 1 == 0L
-        if (isLowest && edgesOnLevel[level] == 0) return
-        if (isLowest) return collectOn(level, x0, y0, x1, y1)
-        val overhang = overhangs[level]
-        val lastColumn = place(x1 - minX + overhang, level)
-        val firstRow = place(y0 - minY - overhang, level)
-        val lastRow = place(y1 - minY + overhang, level)
-        for (column in place(x0 - minX - overhang, level)..lastColumn) {
-            for (row in firstRow..lastRow) {
-                val cell = cells.find(level, column, row)
+                val cell = cells.find(key++)
                 if (cell < 0) continue
-                if (cell != IndexCells.ROOT) collect(cells.firstEdge(cell), x0, y0, x1, y1)
-                descend(cell, level, x0, y0, x1, y1)
+                collect(cell, x0, y0, x1, y1)
+                if (below) descend(cell, x0, y0, x1, y1)
             }
         }
     }
 
     /** Edges that live below a cell. */
-    private fun descend(top: Int, topLevel: Int, x0: Double, y0: Double, x1: Double, y1: Double) {
+    private fun descend(top: Int, x0: Double, y0: Double, x1: Double, y1: Double) {
         if (!cells.hasChildren(top)) return
         stack[0] = top
         var depth = 1
         while (depth > 0) {
             val cell = stack[--depth]
-            val level = if (cell == top) topLevel + 1 else cells.level(cell) + 1
+            val level = IndexCells.level(cells.key(cell)) + 1
             val overhang = overhangs[level]
             val firstColumn = place(x0 - minX - overhang, level)
             val lastColumn = place(x1 - minX + overhang, level)
@@ -160,26 +144,34 @@ internal class FrontIndex(private val minX: Double, private val minY: Double, ma
             for (quadrant in 0..3) {
                 val below = cells.child(cell, quadrant)
                 if (below == 0) continue
-                val column = cells.column(below)
-                val row = cells.row(below)
+                val column = IndexCells.column(cells.key(below))
+                val row = IndexCells.row(cells.key(below))
                 if (column < firstColumn || column > lastColumn || row < firstRow || row > lastRow) continue
-                collect(cells.firstEdge(below), x0, y0, x1, y1)
+                collect(below, x0, y0, x1, y1)
                 if (cells.hasChildren(below)) stack[depth++] = below
             }
         }
     }
 
-    private fun collect(first: Int, x0: Double, y0: Double, x1: Double, y1: Double) {
-        var edge = first
+    private fun collect(cell: Int, x0: Double, y0: Double, x1: Double, y1: Double) {
+        val boxes = boxes
+        val nextInCell = nextInCell
+        var edge = cells.firstEdge(cell)
+        var into = found
+        var count = foundCount
         while (edge >= 0) {
             val box = BOX * edge
             // No branch, as none could be foreseen: any negative difference sets the sign.
             val apart = bits(x1 - boxes[box]) or bits(boxes[box + 2] - x0) or bits(y1 - boxes[box + 1]) or bits(boxes[box + 3] - y0)
-            if (foundCount == found.size) found = found.copyOf(2 * foundCount)
-            found[foundCount] = edge
-            foundCount += (apart.inv() ushr java.lang.Long.SIZE - 1).toInt()
+            if (count == into.size) {
+                into = into.copyOf(2 * count)
+                found = into
+            }
+            into[count] = edge
+            count += (apart.inv() ushr java.lang.Long.SIZE - 1).toInt()
             edge = nextInCell[edge]
         }
+        foundCount = count
     }
 
     private fun bits(value: Double): Long = java.lang.Double.doubleToRawLongBits(value)
@@ -194,10 +186,10 @@ internal class FrontIndex(private val minX: Double, private val minY: Double, ma
 
     private companion object {
         /** Of a cell's side to the extent of its edges, at least. */
-        @JvmField val LOOSENESS = java.lang.Double.parseDouble(System.getProperty("loose", "2.0"))
+        const val LOOSENESS = 4.0
 
         /** A query enters at cells of its own size, times 2 to the power of this. */
-        @JvmField val ENTRY = Integer.getInteger("entry", 0)
+        const val ENTRY = 1
 
         /** 32 units in the last place. */
         const val SLACK_BITS = 47

@@ -7,35 +7,31 @@ package org.trigrid.front
  * levels finds the first bucket that is not empty: every operation is O(1).
  */
 internal class FrontQueue(private val keyCount: Int) {
-    private val first = IntArray(keyCount)
-    private val last = IntArray(keyCount)
     private val bits0 = LongArray((keyCount + 63) / 64)
     private val bits1 = LongArray((bits0.size + 63) / 64)
     private val bits2 = LongArray((bits1.size + 63) / 64)
-    private var keyOf = IntArray(64)
-    private var after = IntArray(64)
-    private var before = IntArray(64)
 
-    init {
-        first.fill(-1)
-        last.fill(-1)
-        keyOf.fill(-1)
-    }
+    /** The ring of each bucket begins and ends at its key; edge e is at [keyCount] + e. */
+    private var after = IntArray(keyCount + 64) { it }
+    private var before = IntArray(keyCount + 64) { it }
+    private var keyOf = IntArray(64).apply { fill(-1) }
 
     fun contains(edge: Int): Boolean = edge < keyOf.size && keyOf[edge] >= 0
 
     /** Queues [edge] with [key], 0 until keyCount (clamped), or moves it there; with the same key it keeps its turn. */
     fun put(edge: Int, key: Int) {
-        val k = if (key < 0) 0 else if (key >= keyCount) keyCount - 1 else key
+        val k = Math.min(Math.max(key, 0), keyCount - 1)
         if (edge >= keyOf.size) grow(edge)
         if (keyOf[edge] == k) return
         if (keyOf[edge] >= 0) remove(edge)
         keyOf[edge] = k
-        val tail = last[k]
-        before[edge] = tail
-        after[edge] = -1
-        if (tail >= 0) after[tail] = edge else mark(k, edge)
-        last[k] = edge
+        val at = keyCount + edge
+        val tail = before[k]
+        before[at] = tail
+        after[at] = k
+        after[tail] = at
+        before[k] = at
+        mark(k)
     }
 
     fun remove(edge: Int) {
@@ -43,11 +39,11 @@ internal class FrontQueue(private val keyCount: Int) {
         val k = keyOf[edge]
         if (k < 0) return
         keyOf[edge] = -1
-        val b = before[edge]
-        val a = after[edge]
-        if (b >= 0) after[b] = a else first[k] = a
-        if (a >= 0) before[a] = b else last[k] = b
-        if (first[k] < 0) unmark(k)
+        val b = before[keyCount + edge]
+        val a = after[keyCount + edge]
+        after[b] = a
+        before[a] = b
+        if (a == b && a == k) unmark(k)
     }
 
     /** The edge with the smallest key, or -1; it stays queued. */
@@ -56,13 +52,12 @@ internal class FrontQueue(private val keyCount: Int) {
             if (bits2[w2] == 0L) continue
             val w1 = 64 * w2 + java.lang.Long.numberOfTrailingZeros(bits2[w2])
             val w0 = 64 * w1 + java.lang.Long.numberOfTrailingZeros(bits1[w1])
-            return first[64 * w0 + java.lang.Long.numberOfTrailingZeros(bits0[w0])]
+            return after[64 * w0 + java.lang.Long.numberOfTrailingZeros(bits0[w0])] - keyCount
         }
         return -1
     }
 
-    private fun mark(k: Int, edge: Int) {
-        first[k] = edge
+    private fun mark(k: Int) {
         bits0[k shr 6] = bits0[k shr 6] or (1L shl k)
         bits1[k shr 12] = bits1[k shr 12] or (1L shl (k shr 6))
         bits2[k shr 18] = bits2[k shr 18] or (1L shl (k shr 12))
@@ -81,7 +76,7 @@ internal class FrontQueue(private val keyCount: Int) {
         val size = Math.max(2 * old, edge + 1)
         keyOf = keyOf.copyOf(size)
         keyOf.fill(-1, old, size)
-        after = after.copyOf(size)
-        before = before.copyOf(size)
+        after = after.copyOf(keyCount + size)
+        before = before.copyOf(keyCount + size)
     }
 }
