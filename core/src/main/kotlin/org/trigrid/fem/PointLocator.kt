@@ -1,6 +1,7 @@
 package org.trigrid.fem
 
 import org.trigrid.domain.SegmentTree
+import org.trigrid.geometry.HalfEdges.next
 import org.trigrid.geometry.Predicates
 import org.trigrid.mesh.TriMesh
 
@@ -88,8 +89,6 @@ public class PointLocator private constructor(
 
     private fun edgeY(edge: Int, t: Double) =
         (1 - t) * mesh.y(mesh.elements[rim[edge]]) + t * mesh.y(mesh.elements[next(rim[edge])])
-
-    private fun next(half: Int): Int = if (half % 3 == 2) half - 2 else half + 1
 
     private fun holds(element: Int, x: Double, y: Double): Boolean {
         for (half in 3 * element..3 * element + 2) {

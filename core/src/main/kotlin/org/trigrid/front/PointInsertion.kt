@@ -1,6 +1,8 @@
 package org.trigrid.front
 
 import org.trigrid.domain.SegmentTree
+import org.trigrid.geometry.HalfEdges.next
+import org.trigrid.geometry.HalfEdges.previous
 import org.trigrid.geometry.Predicates
 import org.trigrid.mesh.MutableMesh
 
@@ -139,10 +141,6 @@ internal class PointInsertion(private val mesh: MutableMesh) {
         val dy = mesh.xy[2 * b + 1] - mesh.xy[2 * a + 1]
         return dx * dx + dy * dy
     }
-
-    private fun next(half: Int) = if (half % 3 == 2) half - 2 else half + 1
-
-    private fun previous(half: Int) = if (half % 3 == 0) half + 2 else half - 1
 
     private companion object {
         const val MOST_STEPS = 10_000

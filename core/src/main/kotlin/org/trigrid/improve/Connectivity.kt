@@ -1,5 +1,7 @@
 package org.trigrid.improve
 
+import org.trigrid.geometry.HalfEdges.next
+import org.trigrid.geometry.HalfEdges.previous
 import org.trigrid.mesh.MutableMesh
 
 /**
@@ -248,15 +250,5 @@ internal class Connectivity(@JvmField val mesh: MutableMesh, progress: ImprovePr
         mesh.xy[2 * n + 1] = y
         mesh.sizes[n] = size
         return n
-    }
-
-    companion object {
-        /** The half-edge after [h] around its element. */
-        @JvmStatic
-        fun next(h: Int): Int = if (h % 3 == 2) h - 2 else h + 1
-
-        /** The half-edge before [h] around its element. */
-        @JvmStatic
-        fun previous(h: Int): Int = if (h % 3 == 0) h + 2 else h - 1
     }
 }

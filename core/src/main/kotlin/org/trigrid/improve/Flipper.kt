@@ -1,7 +1,7 @@
 package org.trigrid.improve
 
-import org.trigrid.improve.Connectivity.Companion.next
-import org.trigrid.improve.Connectivity.Companion.previous
+import org.trigrid.geometry.HalfEdges.next
+import org.trigrid.geometry.HalfEdges.previous
 import org.trigrid.quality.TriangleQuality
 
 /** Flips edges from a work-list until none is left that pays. */

@@ -1,5 +1,6 @@
 package org.trigrid.improve
 
+import org.trigrid.geometry.HalfEdges
 import org.trigrid.mesh.MutableMesh
 
 /**
@@ -15,8 +16,8 @@ internal class IdealValence(mesh: MutableMesh, progress: ImproveProgress) {
             progress.pass()
             val a = mesh.elements[h]
             if (a < 0 || a >= fixed.size || mesh.elements[h - h % 3] < 0) continue
-            val b = mesh.elements[Connectivity.next(h)]
-            val c = mesh.elements[Connectivity.previous(h)]
+            val b = mesh.elements[HalfEdges.next(h)]
+            val c = mesh.elements[HalfEdges.previous(h)]
             val ux = xy[2 * b] - xy[2 * a]
             val uy = xy[2 * b + 1] - xy[2 * a + 1]
             val vx = xy[2 * c] - xy[2 * a]

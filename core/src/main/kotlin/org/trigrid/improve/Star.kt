@@ -43,11 +43,11 @@ internal class Star {
         var h = connectivity.outgoing[node]
         for (i in 0 until size) {
             val corner = h % 3
-            val n = elements[if (corner == 2) h - 2 else h + 1]
+            val n = elements[h + 1 - 3 * (corner shr 1)]
             ring[i] = n
             xy[2 * i] = nodes[2 * n]
             xy[2 * i + 1] = nodes[2 * n + 1]
-            h = twins[if (corner == 0) h + 2 else h - 1]
+            h = twins[h - 1 + 3 * (2 - corner shr 1)]
         }
         count = size
         close()

@@ -1,5 +1,7 @@
 package org.trigrid.mesh
 
+import org.trigrid.geometry.HalfEdges
+
 /** The arrays of a mesh that is put together from parts. */
 internal class JoinedMesh(private val whole: MutableMesh, private val nodes: Int, private val elementCount: Int) {
     // Room for what mending the seams may add: to grow arrays costs half as much again.
@@ -24,7 +26,7 @@ internal class JoinedMesh(private val whole: MutableMesh, private val nodes: Int
             val twin = part.twins[h]
             twins[filled + h] = if (twin < 0) -1 else filled + twin
             if (twin >= 0) continue
-            val b = part.elements[if (h % 3 == 2) h - 2 else h + 1]
+            val b = part.elements[HalfEdges.next(h)]
             if (meets(a) && meets(b)) seams.add(newNumber[a], newNumber[b], filled + h)
         }
         filled += 3 * part.elementCount

@@ -1,6 +1,7 @@
 package org.trigrid.mesh
 
 import org.trigrid.diagnostics.Checkpoint
+import org.trigrid.geometry.HalfEdges
 import org.trigrid.geometry.IntList
 
 /**
@@ -109,7 +110,7 @@ internal class MeshDivision(
         for (at in starts[part] until starts[part + 1]) {
             for (h in 3 * elementsByPart[at]..3 * elementsByPart[at] + 2) {
                 val a = whole.elements[h]
-                val b = whole.elements[if (h % 3 == 2) h - 2 else h + 1]
+                val b = whole.elements[HalfEdges.next(h)]
                 if (a > b || !whole.isEmbedded(a, b)) continue
                 pairs.add(fixedNodes.binarySearch(a))
                 pairs.add(fixedNodes.binarySearch(b))
@@ -182,7 +183,7 @@ internal class MeshDivision(
             val twin = mesh.twins[h]
             whole.elements[own] = newNumber[mesh.elements[h]]
             whole.twins[own] = if (twin < 0) -1 else 3 * slots[twin / 3] + twin % 3
-            if (twin < 0) seams.add(newNumber[mesh.elements[h]], newNumber[mesh.elements[if (h % 3 == 2) h - 2 else h + 1]], own)
+            if (twin < 0) seams.add(newNumber[mesh.elements[h]], newNumber[mesh.elements[HalfEdges.next(h)]], own)
         }
         for (i in mesh.elementCount until old) whole.elements[3 * elementsByPart[starts[part] + i]] = -1
         seams.link(whole.twins)
@@ -196,7 +197,7 @@ internal class MeshDivision(
             for (h in 3 * elementsByPart[at]..3 * elementsByPart[at] + 2) {
                 val twin = whole.twins[h]
                 if (twin < 0 || partOf[twin / 3] == part) continue
-                seams.add(whole.elements[twin], whole.elements[if (twin % 3 == 2) twin - 2 else twin + 1], twin)
+                seams.add(whole.elements[twin], whole.elements[HalfEdges.next(twin)], twin)
             }
         }
         return seams

@@ -1,5 +1,6 @@
 package org.trigrid.mesh
 
+import org.trigrid.geometry.HalfEdges
 import org.trigrid.geometry.Predicates
 
 /** What follows from the elements of a mesh alone: neighbours, boundary edges, nodes round a node. Linear in the size. */
@@ -40,7 +41,7 @@ internal object MeshTopology {
     }
 
     /** The next half-edge, and so the next corner, of the same element. */
-    fun nextCorner(half: Int): Int = if (half % 3 == 2) half - 2 else half + 1
+    fun nextCorner(half: Int): Int = HalfEdges.next(half)
 
     /** Start and end of every half-edge without a neighbour, in the order of elements; the domain is on the left. */
     fun boundaryEdges(elements: IntArray, neighbours: IntArray): IntArray {

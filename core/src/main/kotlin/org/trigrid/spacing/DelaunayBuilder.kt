@@ -4,6 +4,8 @@ import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.diagnostics.Fault
 import org.trigrid.diagnostics.FaultKind
 import org.trigrid.diagnostics.InvalidDomainException
+import org.trigrid.geometry.HalfEdges.next
+import org.trigrid.geometry.HalfEdges.previous
 import org.trigrid.geometry.InsertionOrder
 import org.trigrid.geometry.Predicates
 
@@ -313,11 +315,5 @@ internal class DelaunayBuilder(val xy: DoubleArray, val checkpoint: Checkpoint =
 
         /** The symbolic node at infinity. */
         const val GHOST = -1
-
-        @JvmStatic
-        fun next(e: Int): Int = if (e % 3 == 2) e - 2 else e + 1
-
-        @JvmStatic
-        fun previous(e: Int): Int = if (e % 3 == 0) e + 2 else e - 1
     }
 }

@@ -2,6 +2,7 @@ package org.trigrid.spacing
 
 import java.util.BitSet
 import org.trigrid.diagnostics.Checkpoint
+import org.trigrid.geometry.HalfEdges.next
 
 /**
  * Sizes that pass smoothly from the spacing of one boundary to that of the next: linear in each triangle of the domain's
@@ -85,8 +86,6 @@ internal class LinearField(
         val near = Math.max(size, Math.min(typical[node], cone))
         return if (distance > reach[node]) near + gradation * (distance - reach[node]) else near
     }
-
-    private fun next(edge: Int): Int = if (edge % 3 == 2) edge - 2 else edge + 1
 
     private fun distance(a: Int, b: Int): Double =
         Math.hypot(mesh.xy[2 * b] - mesh.xy[2 * a], mesh.xy[2 * b + 1] - mesh.xy[2 * a + 1])

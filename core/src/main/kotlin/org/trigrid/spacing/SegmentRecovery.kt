@@ -3,11 +3,11 @@ package org.trigrid.spacing
 import org.trigrid.diagnostics.Fault
 import org.trigrid.diagnostics.FaultKind
 import org.trigrid.diagnostics.InvalidDomainException
+import org.trigrid.geometry.HalfEdges.next
+import org.trigrid.geometry.HalfEdges.previous
 import org.trigrid.geometry.IntList
 import org.trigrid.spacing.DelaunayBuilder.Companion.GHOST
 import org.trigrid.spacing.DelaunayBuilder.Companion.NONE
-import org.trigrid.spacing.DelaunayBuilder.Companion.next
-import org.trigrid.spacing.DelaunayBuilder.Companion.previous
 
 /**
  * Forces segments into a Delaunay triangulation and marks them.

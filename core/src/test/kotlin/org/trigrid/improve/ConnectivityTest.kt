@@ -1,10 +1,11 @@
 package org.trigrid.improve
 
+import java.util.SplittableRandom
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import java.util.SplittableRandom
+import org.trigrid.geometry.HalfEdges
 
 class ConnectivityTest {
     @Test
@@ -39,9 +40,9 @@ class ConnectivityTest {
                 val elements = mesh.elements.copyOf()
                 val twins = mesh.twins.copyOf()
                 val n = mesh.elements[h]
-                val m = mesh.elements[Connectivity.next(h)]
-                val left = mesh.elements[Connectivity.previous(h)]
-                val right = mesh.elements[Connectivity.previous(mesh.twins[h])]
+                val m = mesh.elements[HalfEdges.next(h)]
+                val left = mesh.elements[HalfEdges.previous(h)]
+                val right = mesh.elements[HalfEdges.previous(mesh.twins[h])]
                 connectivity.collapse(h)
                 connectivity.undoCollapse(h, n, m, left, right, 1.0)
                 assertArrayEquals(elements, mesh.elements)
@@ -55,9 +56,9 @@ class ConnectivityTest {
     private fun isSound(connectivity: Connectivity, h: Int, forCollapse: Boolean): Boolean {
         val mesh = connectivity.mesh
         val a = mesh.elements[h]
-        val b = mesh.elements[Connectivity.next(h)]
-        val c = mesh.elements[Connectivity.previous(h)]
-        val d = mesh.elements[Connectivity.previous(mesh.twins[h])]
+        val b = mesh.elements[HalfEdges.next(h)]
+        val c = mesh.elements[HalfEdges.previous(h)]
+        val d = mesh.elements[HalfEdges.previous(mesh.twins[h])]
         val neighbours = neighbours(connectivity)
         if (!forCollapse) return c != d && d !in neighbours.getValue(c)
         return neighbours.getValue(a).intersect(neighbours.getValue(b)) == setOf(c, d) && connectivity.valence[c] > 3 && connectivity.valence[d] > 3
@@ -69,7 +70,7 @@ class ConnectivityTest {
         for (h in 0 until 3 * mesh.elementCount) {
             if (!connectivity.isAlive(h)) continue
             val a = mesh.elements[h]
-            val b = mesh.elements[Connectivity.next(h)]
+            val b = mesh.elements[HalfEdges.next(h)]
             result.getOrPut(a) { HashSet() }.add(b)
             result.getOrPut(b) { HashSet() }.add(a)
         }
@@ -87,8 +88,8 @@ class ConnectivityTest {
             if (twin < 0) continue
             assertTrue(connectivity.isAlive(twin))
             assertEquals(h, mesh.twins[twin])
-            assertEquals(a, mesh.elements[Connectivity.next(twin)])
-            assertEquals(mesh.elements[Connectivity.next(h)], mesh.elements[twin])
+            assertEquals(a, mesh.elements[HalfEdges.next(twin)])
+            assertEquals(mesh.elements[HalfEdges.next(h)], mesh.elements[twin])
         }
         for (n in 0 until mesh.nodeCount) {
             assertEquals(valence[n], connectivity.valence[n])

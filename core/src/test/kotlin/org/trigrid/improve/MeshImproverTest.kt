@@ -4,6 +4,7 @@ import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.trigrid.geometry.HalfEdges
 import org.trigrid.mesh.MutableMesh
 
 class MeshImproverTest {
@@ -100,14 +101,14 @@ class MeshImproverTest {
         val edges = HashSet<Pair<Int, Int>>()
         for (h in 0 until 3 * mesh.elementCount) {
             val a = mesh.elements[h]
-            val b = mesh.elements[Connectivity.next(h)]
+            val b = mesh.elements[HalfEdges.next(h)]
             used.set(a)
             assertTrue(edges.add(Pair(a, b))) { "$name: edge $a-$b twice" }
             val twin = mesh.twins[h]
             if (twin < 0) continue
             assertEquals(h, mesh.twins[twin], name)
             assertEquals(b, mesh.elements[twin], name)
-            assertEquals(a, mesh.elements[Connectivity.next(twin)], name)
+            assertEquals(a, mesh.elements[HalfEdges.next(twin)], name)
         }
         for (t in 0 until mesh.elementCount) assertTrue(RawMeshes.isPositive(mesh, t)) { "$name: element $t" }
         assertEquals(mesh.nodeCount, used.cardinality(), name)
@@ -118,12 +119,12 @@ class MeshImproverTest {
 
     private fun boundaryEdges(mesh: MutableMesh): Set<Pair<Int, Int>> = (0 until 3 * mesh.elementCount)
         .filter { mesh.twins[it] < 0 }
-        .map { Pair(mesh.elements[it], mesh.elements[Connectivity.next(it)]) }
+        .map { Pair(mesh.elements[it], mesh.elements[HalfEdges.next(it)]) }
         .toSet()
 
     private fun area(mesh: MutableMesh): Double = (0 until 3 * mesh.elementCount).sumOf { h ->
         val a = 2 * mesh.elements[h]
-        val b = 2 * mesh.elements[Connectivity.next(h)]
+        val b = 2 * mesh.elements[HalfEdges.next(h)]
         0.5 * (mesh.xy[a] * mesh.xy[b + 1] - mesh.xy[a + 1] * mesh.xy[b])
     }
 

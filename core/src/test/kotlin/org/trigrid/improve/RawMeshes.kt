@@ -1,10 +1,11 @@
 package org.trigrid.improve
 
+import java.util.SplittableRandom
+import org.trigrid.geometry.HalfEdges
 import org.trigrid.geometry.Predicates
 import org.trigrid.mesh.EdgeSet
 import org.trigrid.mesh.MutableMesh
 import org.trigrid.quality.TriangleQuality
-import java.util.SplittableRandom
 
 /** Bad but valid meshes for the tests: perturbed lattices with random diagonals and random flips. */
 internal object RawMeshes {
@@ -64,7 +65,7 @@ internal object RawMeshes {
         val open = HashMap<Pair<Int, Int>, Int>()
         for (h in 0 until 3 * mesh.elementCount) {
             val a = mesh.elements[h]
-            val b = mesh.elements[Connectivity.next(h)]
+            val b = mesh.elements[HalfEdges.next(h)]
             val twin = open.remove(Pair(b, a))
             if (twin == null) open[Pair(a, b)] = h else mesh.link(h, twin)
         }
@@ -74,7 +75,7 @@ internal object RawMeshes {
         val connectivity = Connectivity(mesh)
         repeat(times) {
             val h = random.nextInt(3 * mesh.elementCount)
-            if (mesh.twins[h] < 0 || mesh.isEmbedded(mesh.elements[h], mesh.elements[Connectivity.next(h)])) return@repeat
+            if (mesh.twins[h] < 0 || mesh.isEmbedded(mesh.elements[h], mesh.elements[HalfEdges.next(h)])) return@repeat
             if (isConvex(mesh, h)) connectivity.flip(h)
         }
     }
@@ -84,8 +85,8 @@ internal object RawMeshes {
         val g = mesh.twins[h]
         val a = mesh.elements[h]
         val b = mesh.elements[g]
-        val c = mesh.elements[Connectivity.previous(h)]
-        val d = mesh.elements[Connectivity.previous(g)]
+        val c = mesh.elements[HalfEdges.previous(h)]
+        val d = mesh.elements[HalfEdges.previous(g)]
         return orient(mesh, a, d, c) > 0 && orient(mesh, b, c, d) > 0
     }
 

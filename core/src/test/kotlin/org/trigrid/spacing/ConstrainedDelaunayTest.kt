@@ -1,5 +1,9 @@
 package org.trigrid.spacing
 
+import kotlin.math.PI
+import kotlin.math.cos
+import kotlin.math.sin
+import kotlin.random.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -7,11 +11,8 @@ import org.junit.jupiter.api.Test
 import org.trigrid.diagnostics.FaultKind
 import org.trigrid.diagnostics.InvalidDomainException
 import org.trigrid.domain.Domain
+import org.trigrid.geometry.HalfEdges
 import org.trigrid.geometry.Predicates
-import kotlin.math.PI
-import kotlin.math.cos
-import kotlin.math.sin
-import kotlin.random.Random
 
 class ConstrainedDelaunayTest {
     @Test
@@ -155,8 +156,8 @@ class ConstrainedDelaunayTest {
         val xy = mesh.xy
         for (e in mesh.nodes.indices) {
             val a = mesh.nodes[e]
-            val b = mesh.nodes[DelaunayBuilder.next(e)]
-            val c = mesh.nodes[DelaunayBuilder.previous(e)]
+            val b = mesh.nodes[HalfEdges.next(e)]
+            val c = mesh.nodes[HalfEdges.previous(e)]
             assertTrue(
                 Predicates.orient(xy[2 * a], xy[2 * a + 1], xy[2 * b], xy[2 * b + 1], xy[2 * c], xy[2 * c + 1]) > 0,
             )
@@ -164,8 +165,8 @@ class ConstrainedDelaunayTest {
             if (f < 0) continue
             assertEquals(e, mesh.twins[f])
             assertEquals(b, mesh.nodes[f])
-            assertEquals(a, mesh.nodes[DelaunayBuilder.next(f)])
-            val d = mesh.nodes[DelaunayBuilder.previous(f)]
+            assertEquals(a, mesh.nodes[HalfEdges.next(f)])
+            val d = mesh.nodes[HalfEdges.previous(f)]
             // Doubles may be able to prove it in one order of the nodes and not in the other.
             val seenFromLeft = inCircle(xy, a, b, c, d)
             val seenFromRight = inCircle(xy, b, a, d, c)
@@ -187,7 +188,7 @@ class ConstrainedDelaunayTest {
         }
         val found = HashSet<Pair<Int, Int>>()
         for (e in mesh.nodes.indices) {
-            if (mesh.isSegment(e)) found += mesh.nodes[e] to mesh.nodes[DelaunayBuilder.next(e)]
+            if (mesh.isSegment(e)) found += mesh.nodes[e] to mesh.nodes[HalfEdges.next(e)]
         }
         assertEquals(expected, found)
     }

@@ -1,5 +1,8 @@
 package org.trigrid.spacing
 
+import kotlin.math.hypot
+import kotlin.math.sqrt
+import kotlin.random.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -7,10 +10,8 @@ import org.junit.jupiter.api.Test
 import org.trigrid.MeshOptions
 import org.trigrid.diagnostics.InvalidSizeException
 import org.trigrid.domain.Domain
+import org.trigrid.geometry.HalfEdges
 import org.trigrid.geometry.Pose
-import kotlin.math.hypot
-import kotlin.math.sqrt
-import kotlin.random.Random
 
 class SizeFieldsTest {
     private val gradation = 0.25
@@ -106,7 +107,7 @@ class SizeFieldsTest {
             for (t in 0 until mesh.triangleCount) {
                 for (e in 3 * t..3 * t + 2) {
                     if (mesh.twins[e] < 0) continue
-                    val end = DelaunayBuilder.next(e)
+                    val end = HalfEdges.next(e)
                     val x = 0.5 * (domain.x(mesh.nodes[e]) + domain.x(mesh.nodes[end]))
                     val y = 0.5 * (domain.y(mesh.nodes[e]) + domain.y(mesh.nodes[end]))
                     val middleX = (0..2).sumOf { domain.x(mesh.nodes[3 * t + it]) } / 3
