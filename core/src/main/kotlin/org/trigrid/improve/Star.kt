@@ -125,7 +125,7 @@ internal class Star {
      * edge e, the place is 0.43 e / F away from the edge's line or more: a step of half of that is safe without a look.
      */
     fun smoothingStep(): Boolean {
-        val before = derive(steep = false)
+        val before = derive()
         if (!prepareStep(before)) return false
         val farX = EAGERNESS * stepX
         val farY = EAGERNESS * stepY
@@ -142,7 +142,7 @@ internal class Star {
      * falls. Returns whether the place moved.
      */
     fun worstFirstStep(): Boolean {
-        val before = derive(steep = true)
+        val before = deriveSteep()
         return prepareStep(before) && shortenedStep(before, steep = true)
     }
 
@@ -191,9 +191,10 @@ internal class Star {
         return sum
     }
 
-    /** [sumAt] of the place, with its gradient and Hessian by the quotient rule. */
-    private fun derive(steep: Boolean): Double {
+    /** [sumAt] of the place for the sum of 1/q, with its gradient and Hessian by the quotient rule. */
+    private fun derive(): Double {
         var sum = 0.0
+        var sumInverse = 0.0
         var gx = 0.0
         var gy = 0.0
         var hxx = 0.0
@@ -202,32 +203,74 @@ internal class Star {
         var shortest = Double.POSITIVE_INFINITY
         var ax = xy[0] - x
         var ay = xy[1] - y
+        var a2 = ax * ax + ay * ay
+        for (i in 1..count) {
+            val bx = xy[2 * i] - x
+            val by = xy[2 * i + 1] - y
+            val b2 = bx * bx + by * by
+            val ex = bx - ax
+            val ey = by - ay
+            val d = ax * by - ay * bx
+            val e2 = ex * ex + ey * ey
+            val n = a2 + b2 + e2
+            if (d <= SURELY_POSITIVE * n) return Double.POSITIVE_INFINITY
+            shortest = Math.min(shortest, e2)
+            // grad D = (-ey, ex), grad N = -2 (a + b), second derivatives of N: 4 on the diagonal.
+            val inverse = 1 / d
+            val f = n * inverse
+            val fx = (f * ey - 2 * (ax + bx)) * inverse
+            val fy = (f * ex + 2 * (ay + by)) * inverse
+            val slopeX = fx * inverse
+            val slopeY = fy * inverse
+            sum += f
+            sumInverse += inverse
+            gx += fx
+            gy -= fy
+            hxx += ey * slopeX
+            hyy += ex * slopeY
+            hxy += ey * slopeY + ex * slopeX
+            ax = bx
+            ay = by
+            a2 = b2
+        }
+        gradientX = SCALE * gx
+        gradientY = SCALE * gy
+        hessianXx = SCALE * (4 * sumInverse + 2 * hxx)
+        hessianXy = -SCALE * hxy
+        hessianYy = SCALE * (4 * sumInverse + 2 * hyy)
+        shortestEdge2 = shortest
+        return SCALE * sum
+    }
+
+    /** [sumAt] of the place for the sum of (1/q)^8, as [derive]. */
+    private fun deriveSteep(): Double {
+        var sum = 0.0
+        var gx = 0.0
+        var gy = 0.0
+        var hxx = 0.0
+        var hxy = 0.0
+        var hyy = 0.0
+        var ax = xy[0] - x
+        var ay = xy[1] - y
         for (i in 1..count) {
             val bx = xy[2 * i] - x
             val by = xy[2 * i + 1] - y
             val ex = bx - ax
             val ey = by - ay
             val d = ax * by - ay * bx
-            val e2 = ex * ex + ey * ey
-            val n = ax * ax + ay * ay + bx * bx + by * by + e2
+            val n = ax * ax + ay * ay + bx * bx + by * by + ex * ex + ey * ey
             if (d <= SURELY_POSITIVE * n) return Double.POSITIVE_INFINITY
-            if (e2 < shortest) shortest = e2
             val inverse = 1 / d
             val f = SCALE * n * inverse
-            // grad D = (-ey, ex), grad N = -2 (a + b), second derivatives of N: 4 on the diagonal.
             val fx = (f * ey - 2 * SCALE * (ax + bx)) * inverse
             val fy = (-f * ex - 2 * SCALE * (ay + by)) * inverse
             val fxx = (4 * SCALE + 2 * fx * ey) * inverse
             val fyy = (4 * SCALE - 2 * fy * ex) * inverse
             val fxy = (fy * ey - fx * ex) * inverse
-            var slope = 1.0
-            var bend = 0.0
-            if (steep) {
-                val f6 = f * f * f * f * f * f
-                slope = 8 * f6 * f
-                bend = 56 * f6
-            }
-            sum += if (steep) power8(f) else f
+            val f6 = f * f * f * f * f * f
+            val slope = 8 * f6 * f
+            val bend = 56 * f6
+            sum += power8(f)
             gx += slope * fx
             gy += slope * fy
             hxx += slope * fxx + bend * fx * fx
@@ -241,7 +284,6 @@ internal class Star {
         hessianXx = hxx
         hessianXy = hxy
         hessianYy = hyy
-        shortestEdge2 = shortest
         return sum
     }
 
