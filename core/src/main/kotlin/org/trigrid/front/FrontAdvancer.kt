@@ -20,7 +20,7 @@ internal abstract class FrontAdvancer(protected val state: FrontState, keyCount:
 
     @JvmField protected val acceptance = state.acceptance
 
-    private val queue = FrontQueue(keyCount)
+    @JvmField protected val queue = FrontQueue(keyCount)
 
     /** Elements made by the constrained-Delaunay way out. */
     var fallbacks = 0
@@ -103,11 +103,11 @@ internal abstract class FrontAdvancer(protected val state: FrontState, keyCount:
     }
 
     /** The angles at both ends of [edge] have changed: so have the keys of it and its neighbours. */
-    private fun requeueAround(edge: Int) {
+    protected open fun requeueAround(edge: Int) {
         requeue(edge)
         requeue(front.previous[edge])
         requeue(front.next[edge])
     }
 
-    private fun requeue(edge: Int) = queue.put(edge, keyOf(edge))
+    protected fun requeue(edge: Int) = queue.put(edge, keyOf(edge))
 }

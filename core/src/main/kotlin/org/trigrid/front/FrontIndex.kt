@@ -186,7 +186,7 @@ internal class FrontIndex(private val minX: Double, private val minY: Double, ma
 
     private companion object {
         /** Of a cell's side to the extent of its edges, at least. */
-        const val LOOSENESS = 4.0
+        const val LOOSENESS = 8.0
 
         /** A query enters at cells of its own size, times 2 to the power of this. */
         const val ENTRY = 1

@@ -25,10 +25,13 @@ internal class FrontKeys(private val mesh: MutableMesh, private val front: Front
         keyCount = (MAX_FAILS + 1) * classes * LAYERS * ANGLES
     }
 
-    fun keyOf(edge: Int): Int {
+    fun keyOf(edge: Int): Int = keyOf(edge, angleAt(edge), angleAt(front.next[edge]))
+
+    /** As the other, with [angleAt] of the edge and of the next one. */
+    fun keyOf(edge: Int, angleAtStart: Double, angleAtEnd: Double): Int {
         val c = Math.min(Math.max(lengthClass(edge) - lowest, 0), classes - 1)
         val layer = Math.min(front.layer[edge], LAYERS - 1)
-        val angle = (Math.min(angleAt(edge), angleAt(front.next[edge])) * (ANGLES / 4.0) + ANGLE_NUDGE).toInt()
+        val angle = (Math.min(angleAtStart, angleAtEnd) * (ANGLES / 4.0) + ANGLE_NUDGE).toInt()
         val fails = Math.min(front.fails[edge].toInt(), MAX_FAILS)
         return ((fails * classes + c) * LAYERS + layer) * ANGLES + Math.min(angle, ANGLES - 1)
     }
@@ -44,7 +47,7 @@ internal class FrontKeys(private val mesh: MutableMesh, private val front: Front
     }
 
     /** Angle inside the domain at the origin of [edge], grown monotonically to 0..4 for 0..360 degrees. */
-    private fun angleAt(edge: Int): Double {
+    fun angleAt(edge: Int): Double {
         val xy = mesh.xy
         val v = 2 * front.origin[edge]
         val w = 2 * front.destination(edge)

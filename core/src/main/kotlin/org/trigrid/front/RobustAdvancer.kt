@@ -25,6 +25,18 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
 
     override fun keyOf(edge: Int): Int = keys.keyOf(edge)
 
+    override fun requeueAround(edge: Int) {
+        val before = front.previous[edge]
+        val after = front.next[edge]
+        val angleBefore = keys.angleAt(before)
+        val angle = keys.angleAt(edge)
+        val angleAfter = keys.angleAt(after)
+        val angleBeyond = keys.angleAt(front.next[after])
+        queue.put(edge, keys.keyOf(edge, angle, angleAfter))
+        queue.put(before, keys.keyOf(before, angleBefore, angle))
+        queue.put(after, keys.keyOf(after, angleAfter, angleBeyond))
+    }
+
     override fun tryEdge(edge: Int): Boolean {
         acceptance.base(edge)
         val fails = front.fails[edge].toInt()

@@ -61,15 +61,12 @@ internal object InsertionOrder {
             val right = (x ushr bit) and 1
             val upper = (y ushr bit) and 1
             position = (position shl 2) or ((3 * right) xor upper).toLong()
-            if (upper == 0) {
-                if (right == 1) {
-                    x = x xor mask
-                    y = y xor mask
-                }
-                val swap = x
-                x = y
-                y = swap
-            }
+            // Below, the axes are swapped, and on the right turned round before; masks, as branches could not be foreseen.
+            val below = upper - 1
+            val turned = mask and below and -right
+            val swapped = (x xor y) and below
+            x = x xor swapped xor turned
+            y = y xor swapped xor turned
         }
         return position
     }

@@ -40,6 +40,7 @@ internal class IdealValence(mesh: MutableMesh, progress: ImproveProgress) {
      * numbers unless a boundary node takes part.
      */
     fun flipGain(valence: IntArray, a: Int, b: Int, c: Int, d: Int): Double {
+        if (Math.min(Math.min(a, b), Math.min(c, d)) >= fixed.size) return 2.0 * (valence[a] + valence[b] - valence[c] - valence[d] - 2)
         val tooMany = (valence[a] - of(a)) + (valence[b] - of(b))
         val tooFew = (valence[c] - of(c)) + (valence[d] - of(d))
         return 2 * (tooMany - tooFew) - 4
