@@ -49,17 +49,14 @@ internal class Acceptance(private val mesh: MutableMesh, private val front: Fron
         val xy = mesh.xy
         for (i in 0 until nearCount) {
             val edge = near[i]
+            if ((index.apart(edge, x0, y0, x1, y1) < 0) or (edge == base)) continue
+            blocker = edge
             val u = front.origin[edge]
             val v = front.origin[front.next[edge]]
             val ux = xy[2 * u]
-            val vx = xy[2 * v]
             val uy = xy[2 * u + 1]
+            val vx = xy[2 * v]
             val vy = xy[2 * v + 1]
-            // One branch for four comparisons: negative if the boxes are apart.
-            val apart = signs(Math.max(ux, vx) - x0) or signs(x1 - Math.min(ux, vx)) or
-                signs(Math.max(uy, vy) - y0) or signs(y1 - Math.min(uy, vy))
-            if ((apart < 0) or (edge == base)) continue
-            blocker = edge
             if (u != a && u != b && u != q && covers(qx, qy, ux, uy)) return false
             if (u == q || v == q) continue
             val atA = u == a || v == a
@@ -107,9 +104,6 @@ internal class Acceptance(private val mesh: MutableMesh, private val front: Fron
         val leftOfIn = Predicates.orient(rx, ry, qx, qy, x, y)
         return if (turn > 0) leftOfOut >= 0 && leftOfIn >= 0 else leftOfOut >= 0 || leftOfIn >= 0
     }
-
-    /** Negative if [value] is. */
-    private fun signs(value: Double): Long = java.lang.Double.doubleToRawLongBits(value)
 
     private fun covers(qx: Double, qy: Double, x: Double, y: Double): Boolean =
         Predicates.orient(ax, ay, bx, by, x, y) >= 0 &&

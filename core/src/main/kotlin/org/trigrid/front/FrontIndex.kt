@@ -153,6 +153,12 @@ internal class FrontIndex(private val minX: Double, private val minY: Double, ma
         }
     }
 
+    /** Negative if the box of [edge] does not overlap this one, else not; in one number, for one branch or none. */
+    fun apart(edge: Int, x0: Double, y0: Double, x1: Double, y1: Double): Long {
+        val box = BOX * edge
+        return bits(x1 - boxes[box]) or bits(boxes[box + 2] - x0) or bits(y1 - boxes[box + 1]) or bits(boxes[box + 3] - y0)
+    }
+
     private fun collect(cell: Int, x0: Double, y0: Double, x1: Double, y1: Double) {
         val boxes = boxes
         val nextInCell = nextInCell
