@@ -185,7 +185,7 @@ internal class OrderSearch(
         const val MERGED = 0.9
 
         const val POSITIONS = 16
-        const val MERGE_POSITIONS = 32
+        const val MERGE_POSITIONS = 16
         const val MERGED_STRETCHES = 4
         val STRETCH_PARTS = intArrayOf(4, Int.MAX_VALUE, 8, 3, 16, 2)
 
