@@ -14,6 +14,9 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
     private val fromSecond = IntArray(nodeCount)
     private val queue = IntArray(nodeCount)
 
+    /** Where the nodes farthest from the roots start in [queue]. */
+    private var lastLevel = 0
+
     /** The merged level of each node, -1 while it is open. */
     private val level = IntArray(nodeCount)
     private var widths = IntArray(0)
@@ -28,19 +31,37 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
     /**
      * Finds an order from the two end sets; the levels run from the first to the second.
      *
-     * @param limit no order is made when a level is wider than this: its half-bandwidth would hardly be lower.
+     * @param limit no order is made when a level is wider than this, or as soon as two neighbours would be farther apart.
      * @return whether an order was made.
      */
     fun run(first: IntArray, second: IntArray, limit: Int): Boolean {
         val depth = distances(first, fromFirst)
+        if (isTooShallow(depth, limit)) return false
         distances(second, fromSecond)
-        merge(depth)
-        work += 3L * graph.targets.size
-        if (widths.max() > limit) return false
-        number(depth)
-        work += 2L * graph.targets.size
-        return true
+        return merge(depth, limit) && number(depth, limit)
     }
+
+    /**
+     * As the other, with the nodes farthest from [start] as the other end, or only the last of them if it is a single node.
+     *
+     * @param back the levels run from the far end to [start].
+     */
+    fun runToFarEnd(start: IntArray, back: Boolean, limit: Int): Boolean {
+        val depth = distances(start, if (back) fromSecond else fromFirst)
+        if (!back && isTooShallow(depth, limit)) return false
+        val far = queue.copyOfRange(if (start.size == 1) nodeCount - 1 else lastLevel, nodeCount)
+        if (!back) {
+            distances(far, fromSecond)
+            return merge(depth, limit) && number(depth, limit)
+        }
+        // The far end may be farther from some node than the start is from it.
+        val depthBack = distances(far, fromFirst)
+        if (isTooShallow(depthBack, limit)) return false
+        return merge(depthBack, limit) && number(depthBack, limit)
+    }
+
+    /** Whether some level must be wider than [limit], as there are so few. */
+    private fun isTooShallow(depth: Int, limit: Int): Boolean = nodeCount > (depth + 1L) * limit
 
     private fun distances(roots: IntArray, distance: IntArray): Int {
         distance.fill(-1)
@@ -61,17 +82,22 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
                 queue[tail++] = next
             }
         }
-        return distance[queue[nodeCount - 1]]
+        work += graph.targets.size
+        val depth = distance[queue[nodeCount - 1]]
+        lastLevel = nodeCount - 1
+        while (lastLevel > 0 && distance[queue[lastLevel - 1]] == depth) lastLevel--
+        return depth
     }
 
     /** Nodes on which both ends agree are settled; the others follow, part by part, the end that keeps levels narrow. */
-    private fun merge(depth: Int) {
+    private fun merge(depth: Int, limit: Int): Boolean {
         widths = IntArray(depth + 1)
         for (node in 0 until nodeCount) {
             checkpoint.pass()
             fromSecond[node] = (depth - fromSecond[node]).coerceIn(0, depth)
             level[node] = if (fromFirst[node] == fromSecond[node]) fromFirst[node].also { widths[it]++ } else -1
         }
+        if (widths.max() > limit) return false
         val parts = openParts()
         val byFirst = IntArray(depth + 1)
         val bySecond = IntArray(depth + 1)
@@ -88,6 +114,7 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
                 widestFirst = maxOf(widestFirst, widths[fromFirst[node]] + byFirst[fromFirst[node]])
                 widestSecond = maxOf(widestSecond, widths[fromSecond[node]] + bySecond[fromSecond[node]])
             }
+            if (minOf(widestFirst, widestSecond) > limit) return false
             val chosen = if (widestSecond < widestFirst) fromSecond else fromFirst
             for (node in part) {
                 checkpoint.pass()
@@ -97,6 +124,7 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
                 widths[chosen[node]]++
             }
         }
+        return true
     }
 
     private fun openParts(): List<IntArray> {
@@ -117,12 +145,14 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
                     queue[tail++] = next
                 }
             }
+            work += DEGREE.toLong() * tail
             parts.add(queue.copyOf(tail))
         }
         return parts
     }
 
-    private fun number(depth: Int) {
+    /** @return whether it could be done within [limit]. */
+    private fun number(depth: Int, limit: Int): Boolean {
         val nodes = nodesByLevel(depth)
         val numbered = BooleanArray(nodeCount)
         var tail = 0
@@ -131,7 +161,11 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
         for (l in 0..depth) {
             val levelStart = tail
             val levelEnd = at + widths[l]
-            for (i in previous until levelStart) tail = take(order[i], l, tail, numbered)
+            for (i in previous until levelStart) {
+                val before = tail
+                tail = take(order[i], l, tail, numbered)
+                if (tail > before && tail - 1 - i > limit) return false.also { work += 2L * DEGREE * tail }
+            }
             var head = levelStart
             while (tail < levelEnd) {
                 while (head < tail) tail = take(order[head++], l, tail, numbered)
@@ -144,6 +178,8 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
             previous = levelStart
             at = levelEnd
         }
+        work += 2L * graph.targets.size
+        return true
     }
 
     private fun take(node: Int, l: Int, tail: Int, numbered: BooleanArray): Int {
@@ -172,5 +208,8 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
 
     private companion object {
         const val OPEN_AND_FOUND = -2
+
+        /** Neighbours that a node has about. */
+        const val DEGREE = 6
     }
 }

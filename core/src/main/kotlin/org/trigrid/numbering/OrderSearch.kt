@@ -163,11 +163,8 @@ internal class OrderSearch(
     /** The merged levels between a stretch and the nodes farthest from it, or the last of them for a single node. */
     private fun mergeFrom(start: SweepStart) {
         val first = IntArray(start.count) { boundary[(start.from + it) % boundary.size] }
-        sweep.run(first, 0, first.size, Int.MAX_VALUE)
-        val order = sweep.order
-        val last = order.copyOfRange(if (start.count == 1) order.size - 1 else sweep.lastLevel, order.size)
-        val b = if (start.way == SweepStart.Way.MERGED) merge(first, last) else merge(last, first)
-        if (b >= 0) tried.add(Tried(start, b))
+        if (!merged.runToFarEnd(first, start.way == SweepStart.Way.MERGED_BACK, best.halfBandwidth)) return
+        tried.add(Tried(start, best.offer(merged.order)))
     }
 
     private fun climb() {
@@ -188,7 +185,7 @@ internal class OrderSearch(
         const val MERGED = 0.9
 
         const val POSITIONS = 16
-        const val MERGE_POSITIONS = 32
+        const val MERGE_POSITIONS = 16
         const val MERGED_STRETCHES = 4
         val STRETCH_PARTS = intArrayOf(4, Int.MAX_VALUE, 8, 3, 16, 2)
 
