@@ -37,10 +37,10 @@ internal class MeshImprover(
         if (changed == null) changes.touchAll() else for (node in changed) changes.touch(node)
         flipper.runChanged(progress)
         for (round in 0 until ROUNDS) mendValences()
-        for (round in 0 until TRIALS) {
-            if (round > 0) smoother.sweep(progress)
-            tryPatches()
-        }
+        tryPatches()
+        // Where the first pass has changed little, as in wide parts of even size, a second one changes next to nothing.
+        smoother.sweep(progress)
+        if (trials.kept > mesh.elementCount / OFTEN) tryPatches()
         flipper.byQuality = true
         progress.stage(0.15)
         if (changed == null) flipper.runAll(progress) else flipper.runChanged(progress)
@@ -76,8 +76,10 @@ internal class MeshImprover(
 
     private companion object {
         const val ROUNDS = 2
-        const val TRIALS = 2
         const val LAST_SWEEPS = 2
-        const val WORST_ROUNDS = 3
+        const val WORST_ROUNDS = 2
+
+        /** Kept trials, one in so many elements, after which there is another pass. */
+        const val OFTEN = 50
     }
 }

@@ -20,6 +20,10 @@ internal class PatchTrials(
     private val mesh = connectivity.mesh
     private val patch = Patch(connectivity)
 
+    /** Trials that were better and have stayed. */
+    var kept = 0
+        private set
+
     /** Tries to flip the edges near which something has changed since the last pass. */
     fun tryFlips(progress: ImproveProgress) {
         val count = 3 * mesh.elementCount
@@ -164,6 +168,7 @@ internal class PatchTrials(
         val isLower = patch.energy(t, s, fixed) < ofPatch - ENOUGH
         if (!isLower || patch.minQuality < Math.min(leastOfPatch, POOR)) return false
         patch.touch(changes)
+        kept++
         return true
     }
 
