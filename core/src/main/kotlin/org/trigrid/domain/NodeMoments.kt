@@ -26,6 +26,9 @@ internal class NodeMoments(domain: Domain, private val checkpoint: Checkpoint) {
      */
     val phase: Double
 
+    /** Whether [phase] is that of a moment; where all of them vanish, as on a regular polygon of seven sides, it says nothing. */
+    val hasPhase: Boolean get() = reference >= 0
+
     init {
         centre(domain)
         for (i in 0 until count) {

@@ -1,0 +1,123 @@
+package org.trigrid.domain
+
+import org.trigrid.diagnostics.Checkpoint
+import org.trigrid.geometry.Frame
+
+/**
+ * Finds the frame that moves and turns with a domain: about the mean of its nodes, with the direction of its segments, on a grid of
+ * 2^-34 of its size.
+ *
+ * The direction is that to which the segments are parallel or at right angles, in the mean by their lengths: that of
+ * sum l exp(4 i t). So what is drawn along the axes stays along them. Where segments have none, as on a circle, it is that of the
+ * nodes' moments, and on a regular polygon that of a farthest node: any of them gives the same places.
+ */
+internal class DomainFrame(private val domain: Domain, private val checkpoint: Checkpoint) {
+    private var centreX = 0.0
+    private var centreY = 0.0
+
+    /** Root of the mean square of the nodes' distances from the centre. */
+    private var radius = 0.0
+    private var farthestX = 0.0
+    private var farthestY = 0.0
+    private var largestCoordinate = 0.0
+    private var shortest = Double.POSITIVE_INFINITY
+
+    /** Null for a domain of many nodes, and for one with segments that the grid would harm. */
+    fun frame(): Frame? {
+        if (domain.nodeCount > MOST_NODES) return null
+        findCentre()
+        findRadius()
+        // The factor keeps the sizes that are common off the values at which the step changes.
+        val step = Math.scalb(1.0, Math.getExponent(OFF_COMMON * radius) - GRID_BITS)
+        val angle = Math.IEEEremainder(direction(), QUARTER)
+        val grain = Math.max(step, Math.ulp(largestCoordinate))
+        if (shortest < LEAST_GRAINS * grain) return null
+        val isAlongAxes = Math.abs(angle) < AXIS
+        val cos = if (isAlongAxes) 1.0 else StrictMath.cos(angle)
+        val sin = if (isAlongAxes) 0.0 else StrictMath.sin(angle)
+        return Frame(centreX, centreY, cos, sin, step, grain)
+    }
+
+    private fun findCentre() {
+        // Relative to a node, as far from the origin the sums would lose the places.
+        val x0 = domain.x(0)
+        val y0 = domain.y(0)
+        var sumX = 0.0
+        var sumY = 0.0
+        for (node in 0 until domain.nodeCount) {
+            checkpoint.pass()
+            val x = domain.x(node)
+            val y = domain.y(node)
+            sumX += x - x0
+            sumY += y - y0
+            largestCoordinate = Math.max(largestCoordinate, Math.max(Math.abs(x), Math.abs(y)))
+        }
+        centreX = x0 + sumX / domain.nodeCount
+        centreY = y0 + sumY / domain.nodeCount
+    }
+
+    private fun findRadius() {
+        var sum = 0.0
+        var farthest = -1.0
+        for (node in 0 until domain.nodeCount) {
+            checkpoint.pass()
+            val x = domain.x(node) - centreX
+            val y = domain.y(node) - centreY
+            val square = x * x + y * y
+            sum += square
+            if (square > farthest) {
+                farthest = square
+                farthestX = x
+                farthestY = y
+            }
+        }
+        radius = Math.sqrt(sum / domain.nodeCount)
+    }
+
+    /** An angle that turns with the domain, to be taken up to quarter turns. */
+    private fun direction(): Double {
+        var real = 0.0
+        var imaginary = 0.0
+        var total = 0.0
+        for (s in 0 until domain.segmentCount) {
+            checkpoint.pass()
+            val a = domain.segmentStart(s)
+            val b = domain.segmentEnd(s)
+            val x = domain.x(b) - domain.x(a)
+            val y = domain.y(b) - domain.y(a)
+            val square = x * x + y * y
+            val length = Math.sqrt(square)
+            shortest = Math.min(shortest, length)
+            total += length
+            val cos = (x * x - y * y) / square
+            val sin = 2 * x * y / square
+            real += length * (cos * cos - sin * sin)
+            imaginary += length * (2 * cos * sin)
+        }
+        if (real * real + imaginary * imaginary >= NOTABLE * NOTABLE * total * total) {
+            return StrictMath.atan2(imaginary, real) / 4
+        }
+        val moments = NodeMoments(domain, checkpoint)
+        return if (moments.hasPhase) moments.phase else StrictMath.atan2(farthestY, farthestX)
+    }
+
+    private companion object {
+        /** Beyond, choices are so many that their mean is the same in any frame, and rounding would meet some place of the grid's middle. */
+        const val MOST_NODES = 20_000
+
+        /** Coarse against the rounding of coordinates, fine against what is meshed. */
+        const val GRID_BITS = 34
+
+        /** Of the grid, or of the last places of the coordinates: in the shortest segment. */
+        const val LEAST_GRAINS = 1024.0
+
+        const val OFF_COMMON = 1.37
+        const val QUARTER = Math.PI / 2
+
+        /** Smaller angles are rounding errors, and below the grid. */
+        const val AXIS = 1e-12
+
+        /** Share of the lengths' sum from which the segments have a direction. */
+        const val NOTABLE = 0.05
+    }
+}
