@@ -4,12 +4,12 @@ import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.geometry.Frame
 
 /**
- * Finds the frame that moves and turns with a domain: about the mean of its nodes, with the direction of its segments, on a grid of
- * 2^-34 of its size.
+ * Finds a frame that moves and turns with a domain: about the mean of its nodes, with the direction of its segments, on a grid of
+ * 2^-34 of its size. The direction is told up to quarter turns, which [ExactPose] decides, as it does whether to mirror.
  *
  * The direction is that to which the segments are parallel or at right angles, in the mean by their lengths: that of
- * sum l exp(4 i t). So what is drawn along the axes stays along them. Where segments have none, as on a circle, it is that of the
- * nodes' moments, and on a regular polygon that of a farthest node: any of them gives the same places.
+ * sum l exp(4 i t). So what is drawn along the axes stays along them. Where segments have none, it is that of the nodes' moments,
+ * or if they have none either, as on circles, that of a node of the [PolarOrder].
  */
 internal class DomainFrame(private val domain: Domain, private val checkpoint: Checkpoint) {
     private var centreX = 0.0
@@ -17,8 +17,6 @@ internal class DomainFrame(private val domain: Domain, private val checkpoint: C
 
     /** Root of the mean square of the nodes' distances from the centre. */
     private var radius = 0.0
-    private var farthestX = 0.0
-    private var farthestY = 0.0
     private var largestCoordinate = 0.0
     private var shortest = Double.POSITIVE_INFINITY
 
@@ -27,15 +25,17 @@ internal class DomainFrame(private val domain: Domain, private val checkpoint: C
         if (domain.nodeCount > MOST_NODES) return null
         findCentre()
         findRadius()
-        // The factor keeps the sizes that are common off the values at which the step changes.
-        val step = Math.scalb(1.0, Math.getExponent(OFF_COMMON * radius) - GRID_BITS)
         val angle = Math.IEEEremainder(direction(), QUARTER)
-        val grain = Math.max(step, Math.ulp(largestCoordinate))
-        if (shortest < LEAST_GRAINS * grain) return null
         val isAlongAxes = Math.abs(angle) < AXIS
         val cos = if (isAlongAxes) 1.0 else StrictMath.cos(angle)
         val sin = if (isAlongAxes) 0.0 else StrictMath.sin(angle)
-        return Frame(centreX, centreY, cos, sin, step, grain)
+        for (bits in GRID_BITS) {
+            // The factor keeps the sizes that are common off the values at which the step changes.
+            val step = Math.scalb(1.0, Math.getExponent(OFF_COMMON * radius) - bits)
+            val grain = Math.max(step, Math.ulp(largestCoordinate))
+            if (shortest >= LEAST_GRAINS * grain) return Frame(centreX, centreY, cos, sin, step, grain)
+        }
+        return null
     }
 
     private fun findCentre() {
@@ -58,18 +58,11 @@ internal class DomainFrame(private val domain: Domain, private val checkpoint: C
 
     private fun findRadius() {
         var sum = 0.0
-        var farthest = -1.0
         for (node in 0 until domain.nodeCount) {
             checkpoint.pass()
             val x = domain.x(node) - centreX
             val y = domain.y(node) - centreY
-            val square = x * x + y * y
-            sum += square
-            if (square > farthest) {
-                farthest = square
-                farthestX = x
-                farthestY = y
-            }
+            sum += x * x + y * y
         }
         radius = Math.sqrt(sum / domain.nodeCount)
     }
@@ -98,18 +91,19 @@ internal class DomainFrame(private val domain: Domain, private val checkpoint: C
             return StrictMath.atan2(imaginary, real) / 4
         }
         val moments = NodeMoments(domain, checkpoint)
-        return if (moments.hasPhase) moments.phase else StrictMath.atan2(farthestY, farthestX)
+        val isTold = moments.phaseCount > 0 && 4 % moments.phaseCount == 0
+        return if (isTold) moments.phase else PolarOrder(domain, centreX, centreY, radius, checkpoint).direction()
     }
 
     private companion object {
         /** Beyond, choices are so many that their mean is the same in any frame, and rounding would meet some place of the grid's middle. */
         const val MOST_NODES = 20_000
 
-        /** Coarse against the rounding of coordinates, fine against what is meshed. */
-        const val GRID_BITS = 34
+        /** Coarse against the rounding of coordinates, fine against what is meshed; then one for very short segments. */
+        val GRID_BITS = intArrayOf(34, 42)
 
         /** Of the grid, or of the last places of the coordinates: in the shortest segment. */
-        const val LEAST_GRAINS = 1024.0
+        const val LEAST_GRAINS = 64.0
 
         const val OFF_COMMON = 1.37
         const val QUARTER = Math.PI / 2

@@ -41,7 +41,7 @@ internal class LaidDomain private constructor(
             val framed = Domain(
                 xy, domain.segments, domain.segmentTags, domain.embedded, domain.tags, domain.regionMap, domain.points,
             )
-            val laid = of(framed, checkpoint)
+            val laid = swept(framed, ExactPose(framed, frame.step, checkpoint).choose(), SWEEP, checkpoint)
             return LaidDomain(laid.domain, laid.pose.after(frame), laid.givenNodes)
         }
 
@@ -51,7 +51,11 @@ internal class LaidDomain private constructor(
             val phase = if (moments.isMirrored) -moments.phase else moments.phase
             val turns = Math.floor((FIRST_PHASE - phase) / QUARTER).toInt() + 1
             val pose = Pose(moments.isMirrored, turns and 3)
-            val sweep = phase + (turns and 3) * QUARTER + SWEEP
+            return swept(domain, pose, phase + (turns and 3) * QUARTER + SWEEP, checkpoint)
+        }
+
+        /** @param sweep angle of the sweep's direction in the domain as it is laid. */
+        private fun swept(domain: Domain, pose: Pose, sweep: Double, checkpoint: Checkpoint): LaidDomain {
             val order = SweepOrder(domain, pose, StrictMath.cos(sweep), StrictMath.sin(sweep), checkpoint)
             val laid = Domain(order.xy(), order.segments, order.segmentTags, order.embedded, domain.tags, order.regions())
             return LaidDomain(laid, pose, order.givenNodes)

@@ -26,8 +26,8 @@ internal class NodeMoments(domain: Domain, private val checkpoint: Checkpoint) {
      */
     val phase: Double
 
-    /** Whether [phase] is that of a moment; where all of them vanish, as on a regular polygon of seven sides, it says nothing. */
-    val hasPhase: Boolean get() = reference >= 0
+    /** As many directions as [phase] may be of, all of the same right; 0 for a domain all of whose moments vanish. */
+    val phaseCount: Int get() = if (reference < 0) 0 else turns(reference)
 
     init {
         centre(domain)

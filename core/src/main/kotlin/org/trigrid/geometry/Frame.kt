@@ -12,7 +12,7 @@ internal class Frame(
     private val cos: Double,
     private val sin: Double,
     /** Of the grid; a power of two, so that rounding to it is exact. */
-    private val step: Double,
+    val step: Double,
     /** How far places may lie off where they were after going there and back, but for a small factor. */
     val grain: Double,
 ) {
@@ -28,5 +28,6 @@ internal class Frame(
     /** As [givenX]. */
     fun givenY(x: Double, y: Double): Double = centreY + (sin * x + cos * y)
 
-    private fun onGrid(value: Double): Double = Math.rint(value / step) * step
+    // The zero added makes one of the two zeros.
+    private fun onGrid(value: Double): Double = Math.rint(value / step) * step + 0.0
 }
