@@ -33,7 +33,7 @@ internal class FrameSafety(private val laid: LaidDomain, private val checkpoint:
 
     private fun isHigh(triangulation: ConstrainedDelaunay): Boolean {
         for (node in triangulation.edgeOfNode.indices) if (triangulation.edgeOfNode[node] < 0) return false
-        val least = LEAST_GRAINS * (laid.pose.frame ?: return true).grain
+        val least = LEAST_STEPS * (laid.pose.frame ?: return true).step
         for (t in 0 until triangulation.triangleCount) {
             checkpoint.pass()
             val a = triangulation.nodes[3 * t]
@@ -59,7 +59,7 @@ internal class FrameSafety(private val laid: LaidDomain, private val checkpoint:
     }
 
     private companion object {
-        /** Each node moves by less than one grain and the height by less than four. */
-        const val LEAST_GRAINS = 64.0
+        /** Each node moves by less than one step and the height by less than four. */
+        const val LEAST_STEPS = 64.0
     }
 }

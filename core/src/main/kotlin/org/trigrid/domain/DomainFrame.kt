@@ -5,7 +5,7 @@ import org.trigrid.geometry.Frame
 
 /**
  * Finds a frame that moves and turns with a domain: about the mean of its nodes, with the direction of its segments, on a grid of
- * 2^-34 of its size. The direction is told up to quarter turns, which [ExactPose] decides, as it does whether to mirror.
+ * 2^-34 of its size or finer. The direction is told up to quarter turns, which [ExactPose] decides, as it does whether to mirror.
  *
  * The direction is that to which the segments are parallel or at right angles, in the mean by their lengths: that of
  * sum l exp(4 i t). So what is drawn along the axes stays along them. Where segments have none, it is that of the nodes' moments,
@@ -17,7 +17,6 @@ internal class DomainFrame(private val domain: Domain, private val checkpoint: C
 
     /** Root of the mean square of the nodes' distances from the centre. */
     private var radius = 0.0
-    private var largestCoordinate = 0.0
     private var shortest = Double.POSITIVE_INFINITY
 
     /** Null for a domain of many nodes, and for one with segments that the grid would harm. */
@@ -29,11 +28,12 @@ internal class DomainFrame(private val domain: Domain, private val checkpoint: C
         val isAlongAxes = Math.abs(angle) < AXIS
         val cos = if (isAlongAxes) 1.0 else StrictMath.cos(angle)
         val sin = if (isAlongAxes) 0.0 else StrictMath.sin(angle)
-        for (bits in GRID_BITS) {
-            // The factor keeps the sizes that are common off the values at which the step changes.
-            val step = Math.scalb(1.0, Math.getExponent(OFF_COMMON * radius) - bits)
-            val grain = Math.max(step, Math.ulp(largestCoordinate))
-            if (shortest >= LEAST_GRAINS * grain) return Frame(centreX, centreY, cos, sin, step, grain)
+        // The factor keeps the sizes that are common off the values at which the step changes.
+        val exponent = Math.getExponent(OFF_COMMON * radius)
+        val rounding = Math.ulp(OFF_COMMON * (Math.hypot(centreX, centreY) + radius))
+        for (grid in GRIDS.indices) {
+            val step = Math.max(Math.scalb(1.0, exponent - GRIDS[grid]), ULPS[grid] * rounding)
+            if (shortest >= LEAST_STEPS * step) return Frame(centreX, centreY, cos, sin, step)
         }
         return null
     }
@@ -46,11 +46,8 @@ internal class DomainFrame(private val domain: Domain, private val checkpoint: C
         var sumY = 0.0
         for (node in 0 until domain.nodeCount) {
             checkpoint.pass()
-            val x = domain.x(node)
-            val y = domain.y(node)
-            sumX += x - x0
-            sumY += y - y0
-            largestCoordinate = Math.max(largestCoordinate, Math.max(Math.abs(x), Math.abs(y)))
+            sumX += domain.x(node) - x0
+            sumY += domain.y(node) - y0
         }
         centreX = x0 + sumX / domain.nodeCount
         centreY = y0 + sumY / domain.nodeCount
@@ -100,10 +97,13 @@ internal class DomainFrame(private val domain: Domain, private val checkpoint: C
         const val MOST_NODES = 20_000
 
         /** Coarse against the rounding of coordinates, fine against what is meshed; then one for very short segments. */
-        val GRID_BITS = intArrayOf(34, 42)
+        val GRIDS = intArrayOf(34, 42)
 
-        /** Of the grid, or of the last places of the coordinates: in the shortest segment. */
-        const val LEAST_GRAINS = 64.0
+        /** Steps are at least so many times what coordinates far from the origin are rounded by. Powers of two. */
+        val ULPS = doubleArrayOf(4096.0, 16.0)
+
+        /** Of the grid, in the shortest segment. */
+        const val LEAST_STEPS = 64.0
 
         const val OFF_COMMON = 1.37
         const val QUARTER = Math.PI / 2

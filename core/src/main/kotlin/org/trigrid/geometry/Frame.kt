@@ -11,10 +11,8 @@ internal class Frame(
     private val centreY: Double,
     private val cos: Double,
     private val sin: Double,
-    /** Of the grid; a power of two, so that rounding to it is exact. */
+    /** Of the grid; a power of two, so that rounding to it is exact. Far above what coordinates are rounded by. */
     val step: Double,
-    /** How far places may lie off where they were after going there and back, but for a small factor. */
-    val grain: Double,
 ) {
     /** x in the frame of a place outside of it. */
     fun x(x: Double, y: Double): Double = onGrid(cos * (x - centreX) + sin * (y - centreY))
