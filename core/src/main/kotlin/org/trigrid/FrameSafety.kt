@@ -4,6 +4,7 @@ import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.diagnostics.InvalidDomainException
 import org.trigrid.domain.Domain
 import org.trigrid.domain.LaidDomain
+import org.trigrid.geometry.Frame
 import org.trigrid.spacing.ConstrainedDelaunay
 
 /**
@@ -13,7 +14,7 @@ import org.trigrid.spacing.ConstrainedDelaunay
  * Then the triangles at the given places are positive, their boundary is the domain's, and a valid domain covers no place
  * twice: so they are a triangulation of it, and rounding has changed nothing but by what the grid is fine.
  */
-internal class FrameSafety(private val laid: LaidDomain, private val checkpoint: Checkpoint) {
+internal class FrameSafety(private val laid: LaidDomain, private val frame: Frame, private val checkpoint: Checkpoint) {
     /** The triangulation of the rounded domain without its lone points, or null where the domain is not to be meshed in its frame. */
     fun triangulation(): ConstrainedDelaunay? {
         val domain = laid.domain
@@ -33,7 +34,7 @@ internal class FrameSafety(private val laid: LaidDomain, private val checkpoint:
 
     private fun isHigh(triangulation: ConstrainedDelaunay): Boolean {
         for (node in triangulation.edgeOfNode.indices) if (triangulation.edgeOfNode[node] < 0) return false
-        val least = LEAST_STEPS * (laid.pose.frame ?: return true).step
+        val least = LEAST_STEPS * frame.step
         for (t in 0 until triangulation.triangleCount) {
             checkpoint.pass()
             val a = triangulation.nodes[3 * t]

@@ -5,6 +5,7 @@ import org.trigrid.diagnostics.MeshingCancelledException
 import org.trigrid.diagnostics.Stage
 import org.trigrid.diagnostics.TooManyElementsException
 import org.trigrid.domain.Domain
+import org.trigrid.domain.DomainFrame
 import org.trigrid.domain.LaidDomain
 import org.trigrid.front.FrontListener
 import org.trigrid.front.FrontMesher
@@ -35,9 +36,12 @@ internal class MeshAttempts(
     private fun inFrame(sizing: Checkpoint): MadeMesh? {
         // A user's function is asked at places exactly within the domain: it may know no others.
         if (options.sizeFunction != null) return null
-        val laid = LaidDomain.inFrame(domain, sizing) ?: return null
-        val triangulation = FrameSafety(laid, sizing).triangulation() ?: return null
-        return attempt(laid, triangulation, sizing)
+        for (frame in DomainFrame(domain, sizing).frames()) {
+            val laid = LaidDomain.inFrame(domain, frame, sizing)
+            val triangulation = FrameSafety(laid, frame, sizing).triangulation()
+            if (triangulation != null) return attempt(laid, triangulation, sizing)
+        }
+        return null
     }
 
     private fun asLaid(laid: LaidDomain, sizing: Checkpoint): MadeMesh {

@@ -19,9 +19,9 @@ internal class DomainFrame(private val domain: Domain, private val checkpoint: C
     private var radius = 0.0
     private var shortest = Double.POSITIVE_INFINITY
 
-    /** Null for a domain of many nodes, and for one with segments that the grid would harm. */
-    fun frame(): Frame? {
-        if (domain.nodeCount > MOST_NODES) return null
+    /** On grids from coarse to fine; none for a domain of many nodes, and none with a grid that is too coarse for its segments. */
+    fun frames(): List<Frame> {
+        if (domain.nodeCount > MOST_NODES) return emptyList()
         findCentre()
         findRadius()
         val angle = Math.IEEEremainder(direction(), QUARTER)
@@ -31,11 +31,8 @@ internal class DomainFrame(private val domain: Domain, private val checkpoint: C
         // The factor keeps the sizes that are common off the values at which the step changes.
         val exponent = Math.getExponent(OFF_COMMON * radius)
         val rounding = Math.ulp(OFF_COMMON * (Math.hypot(centreX, centreY) + radius))
-        for (grid in GRIDS.indices) {
-            val step = Math.max(Math.scalb(1.0, exponent - GRIDS[grid]), ULPS[grid] * rounding)
-            if (shortest >= LEAST_STEPS * step) return Frame(centreX, centreY, cos, sin, step)
-        }
-        return null
+        return GRIDS.indices.map { Math.max(Math.scalb(1.0, exponent - GRIDS[it]), ULPS[it] * rounding) }
+            .filter { shortest >= LEAST_STEPS * it }.map { Frame(centreX, centreY, cos, sin, it) }
     }
 
     private fun findCentre() {
@@ -96,7 +93,7 @@ internal class DomainFrame(private val domain: Domain, private val checkpoint: C
         /** Beyond, choices are so many that their mean is the same in any frame, and rounding would meet some place of the grid's middle. */
         const val MOST_NODES = 20_000
 
-        /** Coarse against the rounding of coordinates, fine against what is meshed; then one for very short segments. */
+        /** Coarse against the rounding of coordinates, fine against what is meshed; then one for very fine figures. */
         val GRIDS = intArrayOf(34, 42)
 
         /** Steps are at least so many times what coordinates far from the origin are rounded by. Powers of two. */

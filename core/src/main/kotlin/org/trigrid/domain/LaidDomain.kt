@@ -1,6 +1,7 @@
 package org.trigrid.domain
 
 import org.trigrid.diagnostics.Checkpoint
+import org.trigrid.geometry.Frame
 import org.trigrid.geometry.Pose
 
 /**
@@ -27,11 +28,10 @@ internal class LaidDomain private constructor(
         fun asGiven(domain: Domain): LaidDomain = LaidDomain(domain, Pose.AS_GIVEN, IntArray(domain.nodeCount) { it })
 
         /**
-         * As its outline tells, in its own frame; null where [DomainFrame] has none. The nodes are rounded to the frame's grid, so
-         * the laid domain may have faults even though the [domain] is valid.
+         * As its outline tells, in a frame of its own. The nodes are rounded to the frame's grid, so the laid domain may have
+         * faults even though the [domain] is valid.
          */
-        fun inFrame(domain: Domain, checkpoint: Checkpoint): LaidDomain? {
-            val frame = DomainFrame(domain, checkpoint).frame() ?: return null
+        fun inFrame(domain: Domain, frame: Frame, checkpoint: Checkpoint): LaidDomain {
             val xy = DoubleArray(2 * domain.nodeCount)
             for (node in 0 until domain.nodeCount) {
                 checkpoint.pass()
