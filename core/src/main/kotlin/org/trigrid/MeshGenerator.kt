@@ -51,7 +51,8 @@ public object MeshGenerator {
     /**
      * As the other; the mesh is the same.
      *
-     * @param listener hears of each element as the front makes it, before the mesh is improved and renumbered.
+     * @param listener hears of each element that the front made, in that order, with its place before the mesh was improved and
+     *   renumbered; most often not before the mesh is done.
      */
     @JvmStatic
     public fun generate(domain: Domain, options: MeshOptions, monitor: ProgressMonitor, listener: FrontListener): MeshResult =

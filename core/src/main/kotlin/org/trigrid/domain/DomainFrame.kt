@@ -4,8 +4,8 @@ import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.geometry.Frame
 
 /**
- * Finds a frame that moves and turns with a domain: about the mean of its nodes, with the direction of its segments, on a grid of
- * 2^-34 of its size or finer. The direction is told up to quarter turns, which [ExactPose] decides, as it does whether to mirror.
+ * Finds the frames that move and turn with a domain: about the mean of its nodes, in the direction of its segments, on grids of
+ * 2^-34 of its size and finer. The direction is told up to quarter turns; [ExactPose] decides between them, and whether to mirror.
  *
  * The direction is that to which the segments are parallel or at right angles, in the mean by their lengths: that of
  * sum l exp(4 i t). So what is drawn along the axes stays along them. Where segments have none, it is that of the nodes' moments,
@@ -30,7 +30,7 @@ internal class DomainFrame(private val domain: Domain, private val checkpoint: C
         val sin = if (isAlongAxes) 0.0 else StrictMath.sin(angle)
         // The factor keeps the sizes that are common off the values at which the step changes.
         val exponent = Math.getExponent(OFF_COMMON * radius)
-        val rounding = Math.ulp(OFF_COMMON * (Math.hypot(centreX, centreY) + radius))
+        val rounding = Math.ulp(OFF_COMMON * (StrictMath.hypot(centreX, centreY) + radius))
         return GRIDS.indices.map { Math.max(Math.scalb(1.0, exponent - GRIDS[it]), ULPS[it] * rounding) }
             .filter { shortest >= LEAST_STEPS * it }.map { Frame(centreX, centreY, cos, sin, it) }
     }
@@ -90,7 +90,7 @@ internal class DomainFrame(private val domain: Domain, private val checkpoint: C
     }
 
     private companion object {
-        /** Beyond, choices are so many that their mean is the same in any frame, and rounding would meet some place of the grid's middle. */
+        /** Beyond, equal choices are so many that their mean is the same however the domain lies. */
         const val MOST_NODES = 20_000
 
         /** Coarse against the rounding of coordinates, fine against what is meshed; then one for very fine figures. */

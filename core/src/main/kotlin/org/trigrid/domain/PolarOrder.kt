@@ -5,7 +5,7 @@ import org.trigrid.diagnostics.Checkpoint
 /**
  * The nodes of a domain as a ray that turns about its centre meets them, told by their distances from the centre and the
  * angles from each to the next. Where the ray begins, and which way it turns, is so chosen that this list is the least of all; so
- * the first node turns and mirrors with the domain, and where several nodes may be the first, the list is the same for all.
+ * the first node turns and mirrors with the domain; where several nodes may be the first, the list is the same for all.
  *
  * Symmetric figures are found in this way by M. J. Atallah (1985), "On symmetry detection", IEEE Trans. Comput. C-34:663-666.
  */
@@ -126,7 +126,7 @@ internal class PolarOrder(
     private fun whole(value: Double): Long = Math.round(value * UNITS)
 
     private companion object {
-        /** Coarse against rounding errors. No power of two, so that common values do not lie halfway between two whole numbers. */
-        const val UNITS = 9_173_501.0
+        /** Coarse against rounding errors. Of such a kind that common values do not lie halfway between two whole numbers. */
+        const val UNITS = 9_173_501.37
     }
 }
