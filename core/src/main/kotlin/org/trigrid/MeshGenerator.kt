@@ -8,14 +8,8 @@ import org.trigrid.diagnostics.Stage
 import org.trigrid.diagnostics.TooManyElementsException
 import org.trigrid.domain.Domain
 import org.trigrid.domain.DomainCheck
-import org.trigrid.domain.LaidDomain
 import org.trigrid.front.FrontListener
-import org.trigrid.front.FrontMesher
-import org.trigrid.front.LaidListener
-import org.trigrid.front.Strategy
 import org.trigrid.geometry.Pose
-import org.trigrid.improve.MeshImprovement
-import org.trigrid.mesh.LaidMesh
 import org.trigrid.mesh.MeshFreezer
 import org.trigrid.mesh.TriMesh
 import org.trigrid.numbering.Numbering
@@ -57,7 +51,8 @@ public object MeshGenerator {
     /**
      * As the other; the mesh is the same.
      *
-     * @param listener hears of each element as the front makes it, before the mesh is improved and renumbered.
+     * @param listener hears of each element that the front made, in that order, with its place before the mesh was improved and
+     *   renumbered; most often not before the mesh is done.
      */
     @JvmStatic
     public fun generate(domain: Domain, options: MeshOptions, monitor: ProgressMonitor, listener: FrontListener): MeshResult =
@@ -94,42 +89,18 @@ public object MeshGenerator {
 
     internal fun run(domain: Domain, options: MeshOptions, run: StageClock, listener: FrontListener?): MeshResult {
         checkDomain(domain, run)
-
-        run.begin(Stage.SIZES)
-        val sizing = Checkpoint(run, Stage.SIZES)
-        // The paper's rule goes round the boundary as it was given.
-        val laid = if (options.strategy == Strategy.CLASSIC) LaidDomain.asGiven(domain) else LaidDomain.of(domain, sizing)
-        val triangulation = ConstrainedDelaunay.of(laid.domain.withoutLonePoints(), sizing)
-        sizing.reach(0.4)
-        val sizes = SizeFields.createWithPoints(laid.domain, options.sizeRules(laid.pose), triangulation, sizing)
-        sizing.reach(0.7)
-        val expected = SizeFields.estimateElements(triangulation, sizes, sizing)
-        val refusal = WorkLimit(expected, domain.nodeCount).refusal(options.maxElements, Runtime.getRuntime().maxMemory())
-        if (refusal != null) throw TooManyElementsException(refusal)
-
-        run.begin(Stage.FRONT)
-        val raw = FrontMesher.mesh(laid.domain, sizes, options.strategy, expected, run, listener?.let { LaidListener(laid, it) })
-
-        run.begin(Stage.IMPROVE)
-        if (options.improve) {
-            MeshImprovement.improve(raw.mesh, options.strategy, options.smoothingTolerance, options.crew()) {
-                if (!run.update(Stage.IMPROVE, it)) throw MeshingCancelledException()
-            }
-        }
-
-        run.begin(Stage.RENUMBER)
+        val made = MeshAttempts(domain, options, run, listener).make()
         val finishing = Checkpoint(run, Stage.RENUMBER)
-        LaidMesh.takeBack(raw.mesh, laid, domain.xy, finishing)
-        val made = MeshFreezer.freeze(raw.mesh, domain, finishing)
-        val before = NumberingMetrics.of(made, finishing)
-        val mesh = Numbering.renumber(made, options.numbering, finishing)
-        val after = if (mesh === made) before else NumberingMetrics.of(mesh, finishing)
+        val raw = MeshFreezer.freeze(made.mesh, domain, finishing)
+        val before = NumberingMetrics.of(raw, finishing)
+        val mesh = Numbering.renumber(raw, options.numbering, finishing)
+        val after = if (mesh === raw) before else NumberingMetrics.of(mesh, finishing)
         finishing.reach(0.8)
         val quality = QualityReport.of(mesh, finishing, options.crew())
         run.end()
 
         val report = MeshReport(
-            mesh.nodeCount, mesh.elementCount, mesh.boundaryNodeCount, domain.loopCount, expected, raw.fallbacks,
+            mesh.nodeCount, mesh.elementCount, mesh.boundaryNodeCount, domain.loopCount, made.expectedElements, made.fallbacks,
             quality, before, after, run.seconds,
         )
         return MeshResult(mesh, report)

@@ -26,6 +26,9 @@ internal class NodeMoments(domain: Domain, private val checkpoint: Checkpoint) {
      */
     val phase: Double
 
+    /** As many directions as [phase] may be of, all of the same right; 0 for a domain all of whose moments vanish. */
+    val phaseCount: Int get() = if (reference < 0) 0 else turns(reference)
+
     init {
         centre(domain)
         for (i in 0 until count) {

@@ -60,7 +60,8 @@ internal class SweepOrder(
     fun xy(): DoubleArray = DoubleArray(2 * givenNodes.size) {
         checkpoint.pass()
         val node = givenNodes[it / 2]
-        if (it % 2 == 0) pose.x(domain.x(node), domain.y(node)) else pose.y(domain.x(node), domain.y(node))
+        // The zero added makes one of the two zeros, which turns would leave apart.
+        0.0 + if (it % 2 == 0) pose.x(domain.x(node), domain.y(node)) else pose.y(domain.x(node), domain.y(node))
     }
 
     /** The segment of a loop whose start is met first. */

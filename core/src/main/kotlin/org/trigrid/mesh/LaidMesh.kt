@@ -2,9 +2,23 @@ package org.trigrid.mesh
 
 import org.trigrid.diagnostics.Checkpoint
 import org.trigrid.domain.LaidDomain
+import org.trigrid.geometry.Predicates
 
 /** Takes the mesh of a domain as it is laid back to the domain as it was given. */
 internal object LaidMesh {
+    /** Whether all elements are positive, exactly: after a frame, rounding may have folded one of them. */
+    fun isPositive(mesh: MutableMesh, checkpoint: Checkpoint): Boolean {
+        val xy = mesh.xy
+        for (t in 0 until mesh.elementCount) {
+            checkpoint.pass()
+            val a = 2 * mesh.elements[3 * t]
+            val b = 2 * mesh.elements[3 * t + 1]
+            val c = 2 * mesh.elements[3 * t + 2]
+            if (!(Predicates.orient(xy[a], xy[a + 1], xy[b], xy[b + 1], xy[c], xy[c + 1]) > 0)) return false
+        }
+        return true
+    }
+
     /** @param mesh changed in place. Nothing else is to be done with it than to freeze it: sizes are not taken back. */
     fun takeBack(mesh: MutableMesh, laid: LaidDomain, given: DoubleArray, checkpoint: Checkpoint) {
         val xy = mesh.xy
