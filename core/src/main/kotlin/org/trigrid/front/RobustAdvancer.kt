@@ -75,38 +75,45 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
         by = xy[2 * b + 1]
         val dx = bx - ax
         val dy = by - ay
-        val length = Math.sqrt(dx * dx + dy * dy)
+        val length2 = dx * dx + dy * dy
+        val length = Math.sqrt(length2)
         val mx = 0.5 * (ax + bx)
         val my = 0.5 * (ay + by)
         val wanted = state.sizeNear(a, mx - SAMPLE_HEIGHT * dy, my + SAMPLE_HEIGHT * dx)
         size = Math.min(Math.max(wanted, SHORTEST_SIDE * length), LONGEST_SIDE * length)
-        val height = Math.max(FLATTEST * length, Math.sqrt(Math.max(0.0, size * size - 0.25 * length * length)))
-        px = mx - height * dy / length
-        py = my + height * dx / length
-        leanToCorner(edge, length)
+        // Of the height over the base edge's length.
+        val slenderness = Math.max(FLATTEST, Math.sqrt(Math.max(0.0, size * size / length2 - 0.25)))
+        px = mx - slenderness * dy
+        py = my + slenderness * dx
+        leanToCorner(edge, length, length2)
     }
 
     /**
      * Where one end of the base edge is a corner of about 90 degrees, moves the ideal place to the bisector, as the
      * paper's case B: two good elements there instead of one that cuts the corner off.
      */
-    private fun leanToCorner(edge: Int, length: Double) {
+    private fun leanToCorner(edge: Int, length: Double, length2: Double) {
         val ahead = front.origin[front.next[front.next[edge]]]
         val behind = front.origin[front.previous[edge]]
-        val atEnd = isHalved(ahead, bx, by, ax, ay, length)
-        val atStart = isHalved(behind, ax, ay, bx, by, length)
+        val atEnd = isHalved(ahead, bx, by, ax, ay, length2)
+        val atStart = isHalved(behind, ax, ay, bx, by, length2)
         if (atEnd == atStart) return
         if (atEnd) placeOnBisector(ahead, bx, by, ax, ay, length) else placeOnBisector(behind, ax, ay, bx, by, length)
     }
 
     /** Whether the angle at the end v of the base edge v-w, towards the next front node q, is to be halved. */
-    private fun isHalved(q: Int, vx: Double, vy: Double, wx: Double, wy: Double, length: Double): Boolean {
+    private fun isHalved(q: Int, vx: Double, vy: Double, wx: Double, wy: Double, length2: Double): Boolean {
         val qx = mesh.xy[2 * q]
         val qy = mesh.xy[2 * q + 1]
-        val other = Math.sqrt((qx - vx) * (qx - vx) + (qy - vy) * (qy - vy))
-        if (other > UNLIKE * length || length > UNLIKE * other) return false
-        val cosine = ((wx - vx) * (qx - vx) + (wy - vy) * (qy - vy)) / (length * other)
-        return cosine > WIDEST_HALVED && cosine < SHARP_EAR && (bx - ax) * (qy - ay) - (by - ay) * (qx - ax) > 0
+        val tx = qx - vx
+        val ty = qy - vy
+        val other2 = tx * tx + ty * ty
+        // Squares and sums of signs: no root, no quotient, no branch that could not be foreseen.
+        val dot = (wx - vx) * tx + (wy - vy) * ty
+        val limit = if (dot < 0) WIDEST_HALVED * WIDEST_HALVED else SHARP_EAR * SHARP_EAR
+        val unlike = signs(UNLIKE * UNLIKE * length2 - other2) or signs(UNLIKE * UNLIKE * other2 - length2)
+        val outside = signs(limit * length2 * other2 - dot * dot)
+        return (unlike or outside) >= 0 && (bx - ax) * (qy - ay) - (by - ay) * (qx - ax) > 0
     }
 
     private fun placeOnBisector(q: Int, vx: Double, vy: Double, wx: Double, wy: Double, length: Double) {
@@ -177,11 +184,15 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
         val uy = wy - vy
         val tx = qx - vx
         val ty = qy - vy
-        val cosine = (ux * tx + uy * ty) / Math.sqrt((ux * ux + uy * uy) * (tx * tx + ty * ty))
-        if (fails == 0 && cosine < WIDEST_EAR) return
+        val dot = ux * tx + uy * ty
+        val lengths2 = (ux * ux + uy * uy) * (tx * tx + ty * ty)
+        if (fails == 0 && !isAbove(dot, WIDEST_EAR, lengths2)) return
         val d2 = (qx - px) * (qx - px) + (qy - py) * (qy - py)
-        addCorner(corner, qx, qy, if (cosine > SHARP_EAR || d2 < near2) PREFERENCE else 1.0)
+        addCorner(corner, qx, qy, if (isAbove(dot, SHARP_EAR, lengths2) || d2 < near2) PREFERENCE else 1.0)
     }
+
+    /** Whether the cosine of the angle between two sides is above a positive one, told by their dot and squares' product. */
+    private fun isAbove(dot: Double, cosine: Double, lengths2: Double): Boolean = dot > 0 && dot * dot > cosine * cosine * lengths2
 
     private fun isPlaceClear(): Boolean =
         acceptance.isLeftOfBase(px, py) && acceptance.isClear(-1, px, py, index.found, index.foundCount)
