@@ -22,7 +22,7 @@ internal class BestOrder(private val graph: NodeGraph, private val checkpoint: C
         private set
 
     /**
-     * Keeps [candidate] or its reverse, whichever has the smaller profile, if that is better; copied.
+     * Keeps [candidate], the nodes in the order of its first places, or its reverse, whichever has the smaller profile, if that is better; copied.
      *
      * @return the half-bandwidth of the candidate.
      */
@@ -51,7 +51,7 @@ internal class BestOrder(private val graph: NodeGraph, private val checkpoint: C
         if (widest > halfBandwidth || widest == halfBandwidth && lower >= profile) return widest
         halfBandwidth = widest
         profile = lower
-        order = candidate.copyOf()
+        order = candidate.copyOf(nodeCount)
         if (backward < forward) order.reverse()
         return widest
     }

@@ -9,8 +9,8 @@ import org.trigrid.diagnostics.Checkpoint
  * One object serves many sweeps over the same graph without allocating.
  */
 internal class CuthillMcKee(private val graph: NodeGraph, private val checkpoint: Checkpoint = Checkpoint.unheard()) {
-    /** The nodes in the order of the last whole sweep. */
-    val order: IntArray = IntArray(graph.nodeCount)
+    /** The nodes in the order of the last whole sweep, and one place more: [grow] writes before it knows whether it should. */
+    val order: IntArray = IntArray(graph.nodeCount + 1)
 
     /** Entries of [NodeGraph.targets] read so far: the measure of work. */
     var work: Long = 0
@@ -68,11 +68,12 @@ internal class CuthillMcKee(private val graph: NodeGraph, private val checkpoint
             val node = order[head]
             val before = tail
             for (k in starts[node] until starts[node + 1]) {
+                // Whether a neighbour is new could not be foreseen by a branch: 1 or 0.
                 val next = targets[k]
-                if (seenIn[next] != sweep) {
-                    seenIn[next] = sweep
-                    order[tail++] = next
-                }
+                val difference = seenIn[next] xor sweep
+                seenIn[next] = sweep
+                order[tail] = next
+                tail += (difference or -difference) ushr 31
             }
             if (tail > before && tail - 1 - head > widest) {
                 widest = tail - 1 - head

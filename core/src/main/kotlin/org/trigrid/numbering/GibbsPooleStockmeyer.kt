@@ -12,12 +12,12 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
     private val nodeCount = graph.nodeCount
     private val fromFirst = IntArray(nodeCount)
     private val fromSecond = IntArray(nodeCount)
-    private val queue = IntArray(nodeCount)
+    private val queue = IntArray(nodeCount + 1)
 
     /** Where the nodes farthest from the roots start in [queue]. */
     private var lastLevel = 0
 
-    /** The merged level of each node, -1 while it is open. */
+    /** The merged level of each node, -1 while it is open, [NUMBERED] at the end. */
     private val level = IntArray(nodeCount)
     private var widths = IntArray(0)
 
@@ -25,8 +25,8 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
     var work: Long = 0
         private set
 
-    /** The nodes in the order found; valid after [run]. */
-    val order: IntArray = IntArray(nodeCount)
+    /** The nodes in the order found, and one place more; valid after [run]. */
+    val order: IntArray = IntArray(nodeCount + 1)
 
     /**
      * Finds an order from the two end sets; the levels run from the first to the second.
@@ -75,11 +75,14 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
         while (head < tail) {
             checkpoint.pass()
             val node = queue[head++]
+            val farther = distance[node] + 2
             for (k in graph.starts[node] until graph.starts[node + 1]) {
+                // Whether a neighbour is new, and its distance -1, could not be foreseen by a branch: 1 or 0.
                 val next = graph.targets[k]
-                if (distance[next] >= 0) continue
-                distance[next] = distance[node] + 1
-                queue[tail++] = next
+                val isNew = distance[next] ushr 31
+                distance[next] += farther * isNew
+                queue[tail] = next
+                tail += isNew
             }
         }
         work += graph.targets.size
@@ -154,7 +157,6 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
     /** @return whether it could be done within [limit]. */
     private fun number(depth: Int, limit: Int): Boolean {
         val nodes = nodesByLevel(depth)
-        val numbered = BooleanArray(nodeCount)
         var tail = 0
         var previous = 0
         var at = 0
@@ -163,16 +165,16 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
             val levelEnd = at + widths[l]
             for (i in previous until levelStart) {
                 val before = tail
-                tail = take(order[i], l, tail, numbered)
+                tail = take(order[i], l, tail)
                 if (tail > before && tail - 1 - i > limit) return false.also { work += 2L * DEGREE * tail }
             }
             var head = levelStart
             while (tail < levelEnd) {
-                while (head < tail) tail = take(order[head++], l, tail, numbered)
+                while (head < tail) tail = take(order[head++], l, tail)
                 if (tail == levelEnd) break
                 // Nothing in this level is next to what is numbered: its next node by degree starts again.
-                while (numbered[nodes[at]]) at++
-                numbered[nodes[at]] = true
+                while (level[nodes[at]] == NUMBERED) at++
+                level[nodes[at]] = NUMBERED
                 order[tail++] = nodes[at]
             }
             previous = levelStart
@@ -182,14 +184,16 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
         return true
     }
 
-    private fun take(node: Int, l: Int, tail: Int, numbered: BooleanArray): Int {
+    private fun take(node: Int, l: Int, tail: Int): Int {
         checkpoint.pass()
         var end = tail
         for (k in graph.starts[node] until graph.starts[node + 1]) {
             val next = graph.targets[k]
-            if (level[next] != l || numbered[next]) continue
-            numbered[next] = true
-            order[end++] = next
+            // 1 for a node of this level without a number, else 0.
+            val isWanted = (level[next] xor l) - 1 ushr 31
+            level[next] = level[next] or -isWanted and NUMBERED
+            order[end] = next
+            end += isWanted
         }
         return end
     }
@@ -208,6 +212,9 @@ internal class GibbsPooleStockmeyer(private val graph: NodeGraph, private val ch
 
     private companion object {
         const val OPEN_AND_FOUND = -2
+
+        /** No level, as there are not so many, and with all bits that a level can have. */
+        const val NUMBERED = Int.MAX_VALUE
 
         /** Neighbours that a node has about. */
         const val DEGREE = 6

@@ -86,11 +86,11 @@ public class NodeGraph private constructor(
             val elements = mesh.elements
             val neighbours = mesh.neighbours
             val starts = IntArray(mesh.nodeCount + 1)
+            // Inside, each of the two half-edges of an edge tells its start of its end.
             for (half in elements.indices) {
                 checkpoint.pass()
-                if (!MeshTopology.ownsEdge(half, neighbours)) continue
                 starts[elements[half] + 1]++
-                starts[elements[MeshTopology.nextCorner(half)] + 1]++
+                if (neighbours[half] < 0) starts[elements[MeshTopology.nextCorner(half)] + 1]++
             }
             for (n in 1 until starts.size) starts[n] += starts[n - 1]
             checkpoint.ask()
@@ -98,11 +98,10 @@ public class NodeGraph private constructor(
             val at = starts.copyOf()
             for (half in elements.indices) {
                 checkpoint.pass()
-                if (!MeshTopology.ownsEdge(half, neighbours)) continue
                 val a = elements[half]
                 val b = elements[MeshTopology.nextCorner(half)]
                 targets[at[a]++] = b
-                targets[at[b]++] = a
+                if (neighbours[half] < 0) targets[at[b]++] = a
             }
             return NodeGraph(starts, sortedByDegree(starts, targets, checkpoint))
         }

@@ -28,7 +28,7 @@ internal object PaperNumbering {
             val b = sweep.run(root, 0, 1, limit)
             if (b >= 0) {
                 limit = b - 1
-                best = sweep.order.copyOf()
+                best = sweep.order.copyOf(graph.nodeCount)
             }
             if (limit < 0 || sweep.work > budget) break
         }

@@ -25,7 +25,7 @@ internal class PseudoPeripheral(private val graph: NodeGraph, private val checkp
 
     private fun lowestDegree(order: IntArray, from: Int): Int {
         var best = order[from]
-        for (i in from + 1 until order.size) if (graph.degree(order[i]) < graph.degree(best)) best = order[i]
+        for (i in from + 1 until graph.nodeCount) if (graph.degree(order[i]) < graph.degree(best)) best = order[i]
         return best
     }
 

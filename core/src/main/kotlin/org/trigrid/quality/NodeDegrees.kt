@@ -27,14 +27,11 @@ internal class NodeDegrees private constructor(
             val elements = mesh.elements
             for (half in elements.indices) {
                 checkpoint.pass()
-                if (!MeshTopology.ownsEdge(half, mesh.neighbours)) continue
-                val a = elements[half]
-                val b = elements[MeshTopology.nextCorner(half)]
-                degrees[a]++
-                degrees[b]++
+                // Inside, as many half-edges begin at a node as it has neighbours.
+                degrees[elements[half]]++
                 if (mesh.neighbours[half] < 0) {
-                    boundary[a] = true
-                    boundary[b] = true
+                    boundary[elements[half]] = true
+                    boundary[elements[MeshTopology.nextCorner(half)]] = true
                 }
             }
             val counts = IntArray(CLASSES)
