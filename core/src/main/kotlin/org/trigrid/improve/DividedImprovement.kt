@@ -91,7 +91,7 @@ internal class DividedImprovement(
         const val BAND = 1
 
         /** Elements from the seam to the edge of the band, across edges. */
-        const val WIDTH = 8
+        const val WIDTH = 5
 
         /** Share of the parts in the work. */
         const val PARTS_SHARE = 0.92
