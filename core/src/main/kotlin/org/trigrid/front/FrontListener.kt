@@ -1,7 +1,8 @@
 package org.trigrid.front
 
 /**
- * Hears of each element at the moment at which the front makes it, to show how the front advances.
+ * Hears of each element that the front has made, in their order, to show how it advances; most often when the mesh is done, as
+ * it may have to be made again.
  *
  * Called in the thread that meshes, so it should only take notes; [FrontTrace] does.
  */
