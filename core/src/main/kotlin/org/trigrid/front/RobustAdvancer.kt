@@ -44,6 +44,7 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
             takeVisibleNode(edge)
             return true
         }
+        if (fails == 0 && closeEar(edge)) return true
         placeIdeal(edge)
         reach = REACH * size * (if (fails == 0) 1.0 else WIDER)
         queryNear()
@@ -62,6 +63,32 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
                 return true
             }
         }
+    }
+
+    /**
+     * Closes the corner at one end of the edge where that makes a nearly equilateral element, and returns true: no other
+     * candidate would be better by a margin, so neither the size nor what is near need be known.
+     */
+    private fun closeEar(edge: Int): Boolean {
+        val a = front.origin[edge]
+        val b = front.destination(edge)
+        val ahead = front.next[front.next[edge]]
+        val behind = front.previous[edge]
+        val atEnd = quality(a, b, front.origin[ahead])
+        val atStart = quality(a, b, front.origin[behind])
+        val best = Math.max(atEnd, atStart)
+        if (best < EAR_QUALITY) return false
+        val corner = if (atEnd >= atStart) ahead else behind
+        val q = front.origin[corner]
+        if (!acceptance.isLeftOfBase(mesh.xy[2 * q], mesh.xy[2 * q + 1]) || !acceptance.seesBase(corner)) return false
+        if (!acceptance.isClear(q, mesh.xy[2 * q], mesh.xy[2 * q + 1])) return false
+        join(edge, corner)
+        return true
+    }
+
+    private fun quality(a: Int, b: Int, c: Int): Double {
+        val xy = mesh.xy
+        return TriangleQuality.shape(xy[2 * a], xy[2 * a + 1], xy[2 * b], xy[2 * b + 1], xy[2 * c], xy[2 * c + 1])
     }
 
     /** Sets the ideal place: the apex of the isosceles triangle whose sides have the wanted size. */
@@ -254,6 +281,9 @@ internal class RobustAdvancer private constructor(state: FrontState, private val
         /** Cosine of 120 degrees: angles from [SHARP_EAR] to this one are halved, if their sides are about as long. */
         const val WIDEST_HALVED = -0.5
         const val UNLIKE = 1.6
+
+        /** From here on a corner is closed without looking at other candidates. */
+        const val EAR_QUALITY = 0.92
 
         const val LEAST_QUALITY = 0.25
         const val LEAST_QUALITY_LATER = 0.02
