@@ -44,7 +44,7 @@ internal class MeshImprover(
         flipper.byQuality = true
         progress.stage(0.15)
         if (changed == null) flipper.runAll(progress) else flipper.runChanged(progress)
-        smoother.sweeps(LAST_SWEEPS, progress)
+        smoother.sweep(progress)
         for (round in 0 until WORST_ROUNDS) {
             progress.stage(0.04)
             worst.run(progress)
@@ -76,7 +76,6 @@ internal class MeshImprover(
 
     private companion object {
         const val ROUNDS = 2
-        const val LAST_SWEEPS = 2
         const val WORST_ROUNDS = 2
 
         /** Kept trials, one in so many elements, after which there is another pass. */

@@ -1,6 +1,6 @@
 package org.trigrid.improve
 
-/** Moves free nodes one by one to where the sum of 1/q around them is least, as long as they move noticeably. */
+/** Moves free nodes one by one to where the sum of 1/q around them is least; those near a node that moves noticeably are due again. */
 internal class Smoother(
     private val connectivity: Connectivity,
     private val changes: Changes,
@@ -10,14 +10,8 @@ internal class Smoother(
     private val mesh = connectivity.mesh
     private val star = Star()
 
-    /** Up to [most] sweeps over the nodes whose star has changed, until none moves noticeably. */
-    fun sweeps(most: Int, progress: ImproveProgress) {
-        for (sweep in 0 until most) if (!sweep(progress)) return
-    }
-
-    /** One sweep; returns whether a node moved noticeably. */
-    fun sweep(progress: ImproveProgress): Boolean {
-        var moved = false
+    /** One sweep over the nodes whose star has changed. */
+    fun sweep(progress: ImproveProgress) {
         val count = mesh.nodeCount
         for (n in mesh.fixedNodeCount until count) {
             progress.tick(n, count)
@@ -30,10 +24,8 @@ internal class Smoother(
             mesh.xy[2 * n + 1] = star.y
             val least = tolerance * mesh.sizes[n]
             if (dx * dx + dy * dy <= least * least) continue
-            moved = true
             changes.touch(n, Changes.SMOOTHING or Changes.FLIPS)
             for (i in 0 until star.count) changes.touch(star.ring[i], Changes.SMOOTHING)
         }
-        return moved
     }
 }
