@@ -63,7 +63,9 @@ internal class PointInsertion(private val mesh: MutableMesh) {
             .sortedBy { squaredDistance(mesh.elements[it], node) }
         for (half in corners) {
             val around = around(half)
-            if (!around.all { isGood(node, mesh.elements[next(it)], mesh.elements[previous(it)]) }) continue
+            // A free node in the very same place must go, whatever its elements are like.
+            val isSame = isSamePlace(mesh.elements[half], node)
+            if (!isSame && !around.all { isGood(node, mesh.elements[next(it)], mesh.elements[previous(it)]) }) continue
             mesh.sizes[mesh.elements[half]] = Double.NaN
             for (h in around) mesh.elements[h] = node
             return true
@@ -135,6 +137,8 @@ internal class PointInsertion(private val mesh: MutableMesh) {
         val xy = mesh.xy
         return Predicates.orient(xy[2 * a], xy[2 * a + 1], xy[2 * b], xy[2 * b + 1], xy[2 * c], xy[2 * c + 1])
     }
+
+    private fun isSamePlace(a: Int, b: Int): Boolean = mesh.xy[2 * a] == mesh.xy[2 * b] && mesh.xy[2 * a + 1] == mesh.xy[2 * b + 1]
 
     private fun squaredDistance(a: Int, b: Int): Double {
         val dx = mesh.xy[2 * b] - mesh.xy[2 * a]

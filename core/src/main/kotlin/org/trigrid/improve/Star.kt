@@ -127,13 +127,16 @@ internal class Star {
     fun smoothingStep(): Boolean {
         val before = derive()
         if (!prepareStep(before)) return false
-        val farX = EAGERNESS * stepX
-        val farY = EAGERNESS * stepY
+        val farX = x + EAGERNESS * stepX
+        val farY = y + EAGERNESS * stepY
+        // The step as it is after rounding, which matters where elements are a few units in the last place wide.
+        val dx = farX - x
+        val dy = farY - y
         val highest = before - (count - 1)
-        val isShort = (farX * farX + farY * farY) * highest * highest < SAFE * shortestEdge2
-        if (!isShort && !(sumAt(x + farX, y + farY, steep = false) < before)) return shortenedStep(before, steep = false)
-        x += farX
-        y += farY
+        val isShort = (dx * dx + dy * dy) * highest * highest < SAFE * shortestEdge2
+        if (!isShort && !(sumAt(farX, farY, steep = false) < before)) return shortenedStep(before, steep = false)
+        x = farX
+        y = farY
         return true
     }
 

@@ -107,6 +107,12 @@ class FoundDefectsTest {
         assertTrue("brackets" in error.message!!)
     }
 
+    @Test
+    fun `a given point takes the place of a node that the front has put exactly there`() {
+        // A domain of a few units in the last place, where free nodes can hardly lie anywhere else.
+        checkedMesh("another with points", 28039)
+    }
+
     private fun checkedMesh(name: String, seed: Long): MeshResult {
         val domain: Domain = RandomDomains.families.first { it.name == name }.make(seed)
         val result = MeshGenerator.generate(domain, FuzzRun.options(seed))
