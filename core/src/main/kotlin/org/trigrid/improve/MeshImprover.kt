@@ -45,6 +45,8 @@ internal class MeshImprover(
         progress.stage(0.15)
         if (changed == null) flipper.runAll(progress) else flipper.runChanged(progress)
         smoother.sweep(progress)
+        // The share of nodes that lie near given ones is large here, and the sweep is cheap.
+        if (mesh.elementCount < SMALL) smoother.sweep(progress)
         for (round in 0 until WORST_ROUNDS) {
             progress.stage(0.04)
             worst.run(progress)
@@ -77,6 +79,7 @@ internal class MeshImprover(
     private companion object {
         const val ROUNDS = 2
         const val WORST_ROUNDS = 2
+        const val SMALL = 20_000
 
         /** Kept trials, one in so many elements, after which there is another pass. */
         const val OFTEN = 50
