@@ -79,6 +79,8 @@ internal class MeshImprover(
     private companion object {
         const val ROUNDS = 2
         const val WORST_ROUNDS = 2
+
+        /** Meshes of fewer elements get a second sweep at the end. */
         const val SMALL = 20_000
 
         /** Kept trials, one in so many elements, after which there is another pass. */
